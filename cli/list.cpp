@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include <functional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/terminal.hpp"
+#include "core/contract/errors.hpp"
+#include "core/contract/suggestion.hpp"
+#include "core/nearest_node/engine_registry.hpp"
+#include "experiments/experiment_registry.hpp"
+#include "reference/papers.hpp"
+#include "reports/claim_list.hpp"
+
+namespace phytobench::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json papers() {
+  ordered_json rows = ordered_json::array();
+  for (const std::string& key : paper_keys()) {
+    const Paper paper = load_paper(key);
+    rows.push_back({{"id", paper.key},
+                    {"title", paper.title},
+                    {"author", paper.author},
+                    {"year", paper.year},
+                    {"kind", paper.kind},
+                    {"summary", paper.summary}});
+  }
+  return rows;
+}
+
+ordered_json claims() {
+  ordered_json rows = ordered_json::array();
+  for (const ListedClaim& claim : listed_claims())
+    rows.push_back({{"id", claim.id},
+                    {"kind", claim.kind},
+                    {"locator", claim.locator},
+                    {"tier", claim.tier},
+                    {"summary", claim.text}});
+  return rows;
+}
+
+ordered_json experiments() {
+  ordered_json rows = ordered_json::array();
+  for (const ExperimentDescriptor* experiment : all_experiments())
+    rows.push_back({{"id", experiment->id},
+                    {"source", experiment->source},
+                    {"seconds", {{"smoke", experiment->seconds[0]},
+                                 {"quick", experiment->seconds[1]},
+                                 {"full", experiment->seconds[2]}}},
+                    {"summary", experiment->question}});
+  return rows;
+}
+
+ordered_json engines() {
+  ordered_json rows = ordered_json::array();
+  for (const EngineDescriptor* engine : all_engines())
+    rows.push_back({{"id", engine->name},
+                    {"source", engine->source},
+                    {"built", engine->built()},
+                    {"missing_package", engine->missing_package},
+                    {"uses_option_n", engine->uses_point_filter},
+                    {"summary", engine->summary}});
+  return rows;
+}
+
+/// Competition rules: none are part of the suite yet.
+ordered_json rules() { return ordered_json::array(); }
+
+struct Kind {
+  const char* name;
+  ordered_json (*rows)();
+};
+constexpr Kind kinds[] = {{"papers", papers},
+                          {"claims", claims},
+                          {"experiments", experiments},
+                          {"engines", engines},
+                          {"rules", rules}};
+
+std::string plain(const ordered_json& rows) {
+  std::string text;
+  std::size_t width = 0;
+  for (const ordered_json& row : rows) width = std::max(width, row["id"].get<std::string>().size());
+  for (const ordered_json& row : rows) {
+    const bool missing = row.contains("built") && !row["built"].get<bool>();
+    text += fmt::format("{:<{}}  {}{}\n", row["id"].get<std::string>(), width,
+                        missing ? "[not built: " + row["missing_package"].get<std::string>() + "] " : "",
+                        row["summary"].get<std::string>());
+  }
+  return text;
+}
+
+ordered_json overview() {
+  ordered_json rows = ordered_json::array();
+  for (const Kind& kind : kinds)
+    rows.push_back({{"id", kind.name}, {"summary", std::to_string(kind.rows().size())}});
+  return rows;
+}
+
+ordered_json rows_of(const std::string& what) {
+  if (what.empty()) return overview();
+  std::vector<std::string> names;
+  for (const Kind& kind : kinds) {
+    if (what == kind.name) return kind.rows();
+    names.emplace_back(kind.name);
+  }
+  throw InputError("cannot list '" + what + "'" + did_you_mean(what, names) +
+                   "; use papers, claims, experiments, engines or rules");
+}
+
+}  // namespace
+
+int list(const ListOptions& options) {
+  const ordered_json rows = rows_of(options.what);
+  if (!options.json) {
+    print(plain(rows));
+    return 0;
+  }
+  ordered_json document;
+  document["schema"] = "phytobench/list-1";
+  document["kind"] = options.what.empty() ? "overview" : options.what;
+  document["entries"] = rows;
+  print(document.dump(2) + "\n");
+  return 0;
+}
+
+}  // namespace phytobench::cli

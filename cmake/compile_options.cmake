@@ -1,0 +1,30 @@
+# Flags of all our code. No contraction to FMA: every target must round alike. Options structs are filled with
+# designated initialisers that name only what departs from the defaults, which -Wextra would complain about.
+add_compile_options(-Wall -Wextra -Wconversion -Wsign-conversion -Wshadow -Werror -Wno-restrict -Wno-missing-field-initializers -ffp-contract=off)
+if(PHYTOBENCH_ARCHITECTURE)
+  add_compile_options(-march=${PHYTOBENCH_ARCHITECTURE})
+endif()
+if(PHYTOBENCH_SANITIZERS)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+if(PHYTOBENCH_COUNTERS)
+  add_compile_definitions(PHYTOBENCH_COUNTERS)
+endif()
+
+# Collects a layer's own sources: every .cpp below the folder that is neither a test, nor a benchmark, nor
+# reached through a .def list.
+function(phytobench_layer_sources OUT)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp)
+  list(FILTER sources EXCLUDE REGEX "_(test|benchmark)\\.cpp$")
+  foreach(pattern IN LISTS ARGN)
+    list(FILTER sources EXCLUDE REGEX "${pattern}")
+  endforeach()
+  set(${OUT} ${sources} PARENT_SCOPE)
+endfunction()
+
+# A library for one layer; includes are written from the project's root.
+function(phytobench_layer NAME)
+  add_library(${NAME} STATIC ${ARGN})
+  target_include_directories(${NAME} PUBLIC ${PROJECT_SOURCE_DIR})
+endfunction()

@@ -1,0 +1,25 @@
+# Every outside library, once. Package names and traps: cmake/packages.txt.
+find_package(Threads REQUIRED)
+find_package(TBB 2021.8 REQUIRED)
+find_package(fmt 9 REQUIRED)
+find_package(Boost 1.74 REQUIRED)
+find_package(CLI11 2.1 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(tomlplusplus 3.3 REQUIRED)
+find_package(GTest 1.12 REQUIRED)
+find_package(benchmark 1.7)
+
+# Header-only libraries without a CMake package of their own.
+function(phytobench_header_library NAME HEADER)
+  find_path(${NAME}_INCLUDE_FOLDER ${HEADER} REQUIRED)
+  add_library(${NAME} INTERFACE)
+  target_include_directories(${NAME} SYSTEM INTERFACE ${${NAME}_INCLUDE_FOLDER})
+endfunction()
+
+phytobench_header_library(random123 Random123/philox.h)
+phytobench_header_library(mustache kainjow/mustache.hpp)
+
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()

@@ -1,0 +1,23 @@
+include(GoogleTest)
+
+# One test program per layer from every *_test.cpp below the folder. The suite's name gives the label: *Law,
+# *Oracle, *Slow, *Tidy; all others are unit tests.
+function(phytobench_tests NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS *_test.cpp)
+  add_executable(${NAME} ${sources} ${ARG_SOURCES})
+  target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main GTest::gmock)
+  set(environment "PHYTOBENCH_DATA=${CMAKE_BINARY_DIR}/share")
+  foreach(label law oracle slow tidy)
+    string(SUBSTRING ${label} 0 1 first)
+    string(TOUPPER ${first} first)
+    string(SUBSTRING ${label} 1 -1 rest)
+    set(filter "*${first}${rest}.*:*${first}${rest}/*")
+    gtest_discover_tests(${NAME} TEST_FILTER ${filter} TEST_LIST ${NAME}_${label} DISCOVERY_MODE PRE_TEST
+                         PROPERTIES LABELS ${label} ENVIRONMENT ${environment} TIMEOUT 600)
+    list(APPEND special ${filter})
+  endforeach()
+  string(REPLACE ";" ":" special "${special}")
+  gtest_discover_tests(${NAME} TEST_FILTER "-${special}" TEST_LIST ${NAME}_unit DISCOVERY_MODE PRE_TEST
+                       PROPERTIES LABELS unit ENVIRONMENT ${environment} TIMEOUT 600)
+endfunction()

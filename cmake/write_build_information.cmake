@@ -1,0 +1,16 @@
+set(COMMIT "unknown")
+set(SOURCE_CHANGED "false")
+find_program(GIT git)
+if(GIT)
+  execute_process(COMMAND ${GIT} -C ${SOURCE} rev-parse --short=12 HEAD
+                  OUTPUT_VARIABLE found OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+  if(NOT failed)
+    set(COMMIT "${found}")
+  endif()
+  execute_process(COMMAND ${GIT} -C ${SOURCE} status --porcelain --untracked-files=no
+                  OUTPUT_VARIABLE changes ERROR_QUIET)
+  if(changes)
+    set(SOURCE_CHANGED "true")
+  endif()
+endif()
+configure_file(${TEMPLATE} ${OUTPUT} @ONLY)

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "core/colonization/growth_direction.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace phytobench {
+
+namespace {
+
+std::optional<Vector3> normalised(const Vector3& v) {
+  const double length = norm(v);
+  if (!(length > 0.0)) return std::nullopt;
+  return v / length;
+}
+
+/// Some unit vector at right angles to `v`, for the one case in which no plane is given.
+Vector3 any_perpendicular(const Vector3& v) {
+  const Vector3 other = std::abs(v.x) < 0.9 ? Vector3{1.0, 0.0, 0.0} : Vector3{0.0, 0.0, 1.0};
+  const Vector3 across = cross(v, other);
+  return across / norm(across);
+}
+
+}  // namespace
+
+Vector3 attraction(const Vector3& node, const Vector3& point, AttractionSum kind) {
+  const Vector3 offset = point - node;
+  if (kind == AttractionSum::raw_vectors) return offset;
+  return normalised(offset).value_or(Vector3{});
+}
+
+std::optional<Vector3> growth_direction(const Vector3& sum, const Vector3& tropism,
+                                        TropismOrder order) {
+  if (order == TropismOrder::before_normalising) {
+    if (sum == Vector3{}) return std::nullopt;
+    return normalised(sum + tropism);
+  }
+  const std::optional<Vector3> attracted = normalised(sum);
+  if (!attracted) return std::nullopt;
+  return normalised(*attracted + tropism);
+}
+
+DirectionLimit::DirectionLimit(double half_angle_rad)
+    : cosine_(std::cos(half_angle_rad)),
+      sine_(std::sin(half_angle_rad)),
+      unlimited_(half_angle_rad >= std::numbers::pi) {}
+
+Vector3 DirectionLimit::operator()(const Vector3& direction, const Vector3& node_direction) const {
+  const double along = dot(direction, node_direction);
+  if (unlimited_ || along >= cosine_) return direction;
+  const Vector3 across = direction - along * node_direction;
+  const Vector3 sideways = normalised(across).value_or(any_perpendicular(node_direction));
+  return cosine_ * node_direction + sine_ * sideways;
+}
+
+}  // namespace phytobench

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "core/colonization/tree_parameter_keys.hpp"
+
+namespace phytobench {
+
+namespace {
+
+using Values = TreeFileValues;
+
+/// Choice between consecutive enumerators in the order of the words.
+template <auto Member>
+void choose_variant(Values& values, std::size_t word) {
+  auto& field = values.parameters.variant.*Member;
+  field = static_cast<std::remove_reference_t<decltype(field)>>(word);
+}
+
+std::vector<TreeParameterKey> make_keys() {
+  constexpr std::string_view thesis = "[Brzoska2019] sec. 5.2.1, value published by its author";
+  constexpr double most_iterations = 1e6;
+  return {
+      {"seed", "-", "0", "start of every random stream", "[Brzoska2019] sec. 5.5.3",
+       NumberKey{.high = 2147483647, .whole = true, .place = [](Values& v) -> double& { return v.seed; }}},
+      {"random", "-", "\"subtractive\"",
+       "generator: \"subtractive\" hits the counts of the 2019 thesis, \"counter\" is the suite's own",
+       "phytobench",
+       ChoiceKey{{"counter", "subtractive"},
+                 [](Values& v, std::size_t word) {
+                   v.parameters.random = word == 0 ? StreamKind::counter : StreamKind::subtractive;
+                 }}},
+
+      {"cloud.radii", "length", "[5.0, 7.0, 4.5]", "half axes of the crown's ellipsoid: x, y (up), z", thesis,
+       VectorKey{true, [](Values& v) -> Vector3& { return v.parameters.cloud.radii; }}},
+      {"cloud.cutoff_bottom", "share", "0.15", "share of the ellipsoid's height cut off below", thesis,
+       NumberKey{.high = 1, .place = [](Values& v) -> double& { return v.parameters.cloud.cutoff_bottom; }}},
+      {"cloud.cutoff_top", "share", "0.05", "share of the ellipsoid's height cut off above", thesis,
+       NumberKey{.high = 1, .place = [](Values& v) -> double& { return v.parameters.cloud.cutoff_top; }}},
+      {"cloud.density", "1/length^3", "26.4",
+       "attraction points per unit volume; without it 12 + 18 * gnarliness", thesis,
+       NumberKey{.low_is_allowed = false,
+                 .place = [](Values& v) -> double& { return v.parameters.cloud_density; }}},
+
+      {"growth.iterations", "-", "30", "iterations at most; growth may stop earlier", thesis,
+       NumberKey{.low = 1, .high = most_iterations, .whole = true,
+                 .place = [](Values& v) -> double& { return v.iterations; }}},
+      {"growth.step_length", "length", "0.25", "D, distance of a new node from its parent",
+       "[Brzoska2019] eq. 8, value published by its author",
+       NumberKey{.low_is_allowed = false,
+                 .place = [](Values& v) -> double& { return v.parameters.step_length; }}},
+      {"growth.perception_angle_deg", "degree", "160.0",
+       "full angle around a node's direction within which it perceives points; 360 is all around",
+       "[Brzoska2019] fig. 26, value published by its author",
+       NumberKey{.high = 360, .low_is_allowed = false,
+                 .place = [](Values& v) -> double& { return v.parameters.perception_angle_deg; }}},
+      {"growth.gnarliness", "share", "0.8",
+       "how crooked branches are; sets influence distance 1.3 - 0.8 g and the interval of kill distances", thesis,
+       NumberKey{.high = 1, .place = [](Values& v) -> double& { return v.gnarliness; }}},
+      {"growth.branch_density_begin", "share", "0.0",
+       "0 gives the largest kill distance of that interval, 1 the smallest; at the start", thesis,
+       NumberKey{.high = 1, .place = [](Values& v) -> double& { return v.branch_density_begin; }}},
+      {"growth.branch_density_end", "share", "0.8", "the same at the last iteration", thesis,
+       NumberKey{.high = 1, .place = [](Values& v) -> double& { return v.branch_density_end; }}},
+      {"growth.influence_distance", "length", "0.66",
+       "d_i, how far a point attracts; instead of gnarliness, with both kill distances",
+       "[Brzoska2019] sec. 3.4.4",
+       NumberKey{.low_is_allowed = false, .infinity_is_allowed = true,
+                 .place = [](Values& v) -> double& { return v.parameters.influence_distance; }},
+       true},
+      {"growth.kill_distance_begin", "length", "0.58",
+       "d_c in the first iteration: points this near to a new node are removed; at most influence_distance",
+       "[Brzoska2019] eq. 17",
+       NumberKey{.low_is_allowed = false,
+                 .place = [](Values& v) -> double& { return v.parameters.kill_distance.begin; }},
+       true},
+      {"growth.kill_distance_end", "length", "0.265", "d_c approached in the last iteration",
+       "[Brzoska2019] eq. 17",
+       NumberKey{.low_is_allowed = false,
+                 .place = [](Values& v) -> double& { return v.parameters.kill_distance.end; }},
+       true},
+      {"growth.kill_interpolation", "-", "\"squared\"",
+       "what the sigmoid interpolates: \"squared\" (published trees) or \"linear\" distances (eq. 17 as printed)",
+       "[Brzoska2019] eq. 17, erratum E4",
+       ChoiceKey{{"squared", "linear"},
+                 [](Values& v, std::size_t word) {
+                   v.parameters.kill_distance.interpolation =
+                       word == 0 ? KillInterpolation::squared : KillInterpolation::linear;
+                 }}},
+      {"growth.sigmoid_begin", "-", "-12.0", "argument of the sigmoid in the first iteration", thesis,
+       NumberKey{.low = -700, .high = 700,
+                 .place = [](Values& v) -> double& { return v.parameters.kill_distance.sigmoid_begin; }}},
+      {"growth.sigmoid_end", "-", "6.0", "argument of the sigmoid in the last iteration", thesis,
+       NumberKey{.low = -700, .high = 700,
+                 .place = [](Values& v) -> double& { return v.parameters.kill_distance.sigmoid_end; }}},
+
+      {"tropism.direction", "-", "[0.0, 1.0, 0.0]", "g, added to the sum of unit vectors to the points",
+       "[Brzoska2019] eq. 10",
+       VectorKey{false, [](Values& v) -> Vector3& { return v.parameters.tropism_direction; }}},
+      {"tropism.weights", "-", "[1.0, 1.0, 1.0]", "multiplies g component by component",
+       "[Brzoska2019] sec. 4.1",
+       VectorKey{false, [](Values& v) -> Vector3& { return v.parameters.tropism_weights; }}},
+      {"tropism.damping", "-", "\"cloud_shape\"",
+       "\"cloud_shape\" multiplies the y weight by min(1, (height / max(width, depth))^2) of the points; or \"none\"",
+       "[Brzoska2019] sec. 5.5.1, formula published by its author",
+       ChoiceKey{{"none", "cloud_shape"},
+                 [](Values& v, std::size_t word) {
+                   v.parameters.tropism_damping =
+                       word == 0 ? TropismDamping::none : TropismDamping::cloud_shape;
+                 }}},
+      {"tropism.damping_density", "1/length^3", "0.0",
+       "density of the cloud that is measured for the damping; 0 measures the crown's own", "phytobench",
+       NumberKey{.place = [](Values& v) -> double& { return v.parameters.tropism_damping_density; }}},
+
+      {"stem.length", "length", "2.0", "procedural stem below the crown", thesis,
+       NumberKey{.place = [](Values& v) -> double& { return v.parameters.stem_length; }}},
+      {"stem.tilt_deg", "degree", "5.0", "largest tilt of a stem piece from the vertical", thesis,
+       NumberKey{.high = 90, .place = [](Values& v) -> double& { return v.parameters.stem_tilt_deg; }}},
+      {"stem.crown_ratio", "share", "0.0", "share of the cloud's height that the stem runs through", thesis,
+       NumberKey{.high = 1, .place = [](Values& v) -> double& { return v.parameters.crown_stem_ratio; }}},
+
+      {"variant.tropism_order", "-", "\"before_normalising\"",
+       "tropism added \"before_normalising\" (published trees) or \"after_normalising\" (eq. 10 as printed)",
+       "[Brzoska2019] eq. 10, erratum E3",
+       ChoiceKey{{"before_normalising", "after_normalising"}, choose_variant<&GrowthVariant::tropism_order>}},
+      {"variant.attraction_sum", "-", "\"unit_vectors\"",
+       "sum of \"unit_vectors\" (eq. 9) or \"raw_vectors\" (the sentence before eq. 8)",
+       "[Brzoska2019] eq. 9, ambiguity A1",
+       ChoiceKey{{"unit_vectors", "raw_vectors"}, choose_variant<&GrowthVariant::attraction_sum>}},
+      {"variant.perception_test", "-", "\"during_search\"",
+       "nearest node among those that perceive (\"during_search\"), or nearest first (\"after_search\")",
+       "[Brzoska2019] sec. 4.1, ambiguity A2",
+       ChoiceKey{{"during_search", "after_search"}, choose_variant<&GrowthVariant::perception_test>}},
+      {"variant.repeat_guard", "-", "\"on\"", "\"off\" lets a node get the same child again and again",
+       "[Brzoska2019] erratum E17",
+       ChoiceKey{{"on", "off"}, choose_variant<&GrowthVariant::repeat_guard>}},
+      {"variant.start_killers", "-", "\"crown_root\"",
+       "start nodes that remove points: \"crown_root\" or \"crown_stem_too\"", "[Brzoska2019] ambiguity A3",
+       ChoiceKey{{"crown_root", "crown_stem_too"}, choose_variant<&GrowthVariant::start_killers>}},
+      {"variant.deferred_kill_distance", "-", "\"previous_iteration\"",
+       "kill distance of a deferred removal; \"current_iteration\" is a mistake that grows another tree",
+       "[Brzoska2019] sec. 5.2.2 D",
+       ChoiceKey{{"previous_iteration", "current_iteration"},
+                 choose_variant<&GrowthVariant::deferred_kill_distance>}},
+      {"variant.deferred_first_pass", "-", "\"skip\"",
+       "whether a deferred removal runs before the first growth; \"kill\" is a mistake that grows another tree",
+       "[Brzoska2019] sec. 5.2.2 D",
+       ChoiceKey{{"skip", "kill"}, choose_variant<&GrowthVariant::deferred_first_pass>}},
+  };
+}
+
+}  // namespace
+
+std::span<const TreeParameterKey> tree_parameter_keys() {
+  static const std::vector<TreeParameterKey> keys = make_keys();
+  return keys;
+}
+
+}  // namespace phytobench

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Every parameter of a tree file in one table: reading, checking, the commented example and the list of
+// known keys all come from it.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/colonization/tree_parameters.hpp"
+
+namespace phytobench {
+
+/// Values as they stand in a file, before gnarliness is resolved.
+struct TreeFileValues {
+  TreeParameters parameters;
+  double seed = 0;
+  double iterations = 30;
+  double gnarliness = 0.8;
+  double branch_density_begin = 0.0;
+  double branch_density_end = 0.8;
+};
+
+/// A number with its allowed range.
+struct NumberKey {
+  double low = 0.0;
+  double high = std::numeric_limits<double>::infinity();
+  bool low_is_allowed = true;
+  bool whole = false;            ///< only whole numbers
+  bool infinity_is_allowed = false;
+  double& (*place)(TreeFileValues&) = nullptr;
+};
+
+/// Three numbers.
+struct VectorKey {
+  bool must_be_positive = false;
+  Vector3& (*place)(TreeFileValues&) = nullptr;
+};
+
+/// One of a few words; `choose` takes the position of the word.
+struct ChoiceKey {
+  std::vector<std::string_view> words;
+  void (*choose)(TreeFileValues&, std::size_t) = nullptr;
+};
+
+struct TreeParameterKey {
+  std::string_view name;          ///< "section.key", or "key" at the top
+  std::string_view unit;
+  std::string_view default_text;  ///< as written in a file
+  std::string_view meaning;
+  std::string_view source;        ///< paper key and place, or "phytobench"
+  std::variant<NumberKey, VectorKey, ChoiceKey> kind;
+  bool shown_as_comment = false;  ///< alternative to other keys: the example shows it commented out
+};
+
+/// All keys, grouped by section.
+std::span<const TreeParameterKey> tree_parameter_keys();
+
+}  // namespace phytobench

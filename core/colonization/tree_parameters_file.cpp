@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "core/colonization/tree_parameters_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "core/colonization/tree_parameter_keys.hpp"
+#include "core/contract/errors.hpp"
+#include "core/contract/suggestion.hpp"
+#include "core/contract/text_file.hpp"
+#include "core/nearest_node/engine.hpp"
+
+namespace phytobench {
+
+namespace {
+
+template <class... Alternatives>
+struct Overloaded : Alternatives... {
+  using Alternatives::operator()...;
+};
+template <class... Alternatives>
+Overloaded(Alternatives...) -> Overloaded<Alternatives...>;
+
+class TreeFileReader {
+ public:
+  TreeFileReader(std::string_view file, std::vector<const toml::table*> tables)
+      : file_(file), tables_(std::move(tables)) {}
+
+  TreeParameters read() {
+    for (const toml::table* table : tables_) read_table(*table, "");
+    resolve_coupling();
+    values_.parameters.seed = static_cast<std::uint64_t>(values_.seed);
+    values_.parameters.iterations = static_cast<int>(values_.iterations);
+    check_combinations();
+    return values_.parameters;
+  }
+
+ private:
+  [[noreturn]] void fail(std::string_view key, const std::string& problem) const {
+    const toml::node* node = tables_.back();
+    for (const toml::table* table : tables_)
+      if (const toml::node* found = table->at_path(key).node()) node = found;
+    throw InputError(fmt::format("{}:{}: {}", file_, node->source().begin.line, problem));
+  }
+
+  void read_table(const toml::table& table, const std::string& prefix) {
+    for (const auto& [key, node] : table) {
+      const std::string name = prefix + std::string(key.str());
+      given_.insert(name);
+      if (const toml::table* section = node.as_table(); section != nullptr && is_section(name)) {
+        read_table(*section, name + ".");
+      } else {
+        read_value(name, node);
+      }
+    }
+  }
+
+  static bool is_section(std::string_view name) {
+    const std::string prefix = std::string(name) + ".";
+    return std::any_of(tree_parameter_keys().begin(), tree_parameter_keys().end(),
+                       [&](const TreeParameterKey& key) { return key.name.starts_with(prefix); });
+  }
+
+  void read_value(const std::string& name, const toml::node& node) {
+    for (const TreeParameterKey& key : tree_parameter_keys()) {
+      if (key.name != name) continue;
+      std::visit(Overloaded{[&](const NumberKey& kind) { read_number(name, kind, node); },
+                            [&](const VectorKey& kind) { read_vector(name, kind, node); },
+                            [&](const ChoiceKey& kind) { read_choice(name, kind, node); }},
+                 key.kind);
+      return;
+    }
+    std::vector<std::string> known;
+    for (const TreeParameterKey& key : tree_parameter_keys()) known.emplace_back(key.name);
+    fail(name, fmt::format("unknown key '{}'{} (phytobench grow --example lists all keys)", name,
+                           did_you_mean(name, known)));
+  }
+
+  void read_number(const std::string& name, const NumberKey& kind, const toml::node& node) {
+    const auto value = node.value<double>();
+    if (!value) fail(name, fmt::format("{} must be a number {}", name, allowed(kind)));
+    const bool in_range = kind.low_is_allowed ? *value >= kind.low : *value > kind.low;
+    const bool finite = std::isfinite(*value) || (kind.infinity_is_allowed && *value > 0);
+    if (!in_range || !(*value <= kind.high) || !finite || (kind.whole && *value != std::floor(*value)))
+      fail(name, fmt::format("{} = {} is not allowed; give a number {}", name, *value, allowed(kind)));
+    kind.place(values_) = *value;
+  }
+
+  static std::string allowed(const NumberKey& kind) {
+    std::string text = kind.low_is_allowed ? fmt::format(">= {}", kind.low) : fmt::format("> {}", kind.low);
+    if (std::isfinite(kind.high)) text += fmt::format(" and <= {}", kind.high);
+    return kind.whole ? text + ", whole" : text;
+  }
+
+  void read_vector(const std::string& name, const VectorKey& kind, const toml::node& node) {
+    const toml::array* array = node.as_array();
+    if (array == nullptr || array->size() != 3)
+      fail(name, fmt::format("{} must be three numbers, as in [1.0, 2.0, 3.0]", name));
+    double numbers[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto value = (*array)[i].value<double>();
+      if (!value || !std::isfinite(*value) || (kind.must_be_positive && *value <= 0.0))
+        fail(name, fmt::format("{}[{}] must be a finite number{}", name, i,
+                               kind.must_be_positive ? " > 0" : ""));
+      numbers[i] = *value;
+    }
+    kind.place(values_) = {numbers[0], numbers[1], numbers[2]};
+  }
+
+  void read_choice(const std::string& name, const ChoiceKey& kind, const toml::node& node) {
+    const auto value = node.value<std::string_view>();
+    const auto word = value ? std::find(kind.words.begin(), kind.words.end(), *value) : kind.words.end();
+    if (word == kind.words.end())
+      fail(name, fmt::format("{} must be one of \"{}\"", name, fmt::join(kind.words, "\", \"")));
+    kind.choose(values_, static_cast<std::size_t>(word - kind.words.begin()));
+  }
+
+  /// Gnarliness sets three distances and the default density; whoever gives the distances gives all three.
+  void resolve_coupling() {
+    const std::string explicit_keys[] = {"growth.influence_distance", "growth.kill_distance_begin",
+                                         "growth.kill_distance_end"};
+    const std::string coupled_keys[] = {"growth.gnarliness", "growth.branch_density_begin",
+                                        "growth.branch_density_end"};
+    const auto is_given = [this](const std::string& key) { return given_.contains(key); };
+    const auto given = std::find_if(std::begin(explicit_keys), std::end(explicit_keys), is_given);
+    if (given != std::end(explicit_keys)) {
+      for (const std::string& key : explicit_keys)
+        if (!is_given(key))
+          fail(*given, fmt::format("{} is given without {}; give all three distances or none", *given, key));
+      for (const std::string& key : coupled_keys)
+        if (is_given(key))
+          fail(key, fmt::format("{} would set {} as well; give one or the other", key, *given));
+      return;
+    }
+    const GnarlinessCoupling coupling = couple_to_gnarliness(values_.gnarliness);
+    TreeParameters& parameters = values_.parameters;
+    parameters.influence_distance = coupling.influence_distance;
+    parameters.kill_distance.begin = coupling.kill_distance(values_.branch_density_begin);
+    parameters.kill_distance.end = coupling.kill_distance(values_.branch_density_end);
+    if (!is_given("cloud.density")) parameters.cloud_density = coupling.cloud_density;
+  }
+
+  void check_combinations() const {
+    const TreeParameters& p = values_.parameters;
+    if (p.influence_distance < smallest_influence_distance)
+      fail("growth.influence_distance",
+           fmt::format("growth.influence_distance = {} is too small to be squared; use at least {}",
+                       p.influence_distance, smallest_influence_distance));
+    for (const auto& [key, distance] : {std::pair{"growth.kill_distance_begin", p.kill_distance.begin},
+                                        std::pair{"growth.kill_distance_end", p.kill_distance.end}})
+      if (distance > p.influence_distance)
+        fail(key, fmt::format("{} = {} exceeds growth.influence_distance = {}; points would vanish that "
+                              "never attracted anything: lower the one or raise the other",
+                              key, distance, p.influence_distance));
+    if (p.cloud.cutoff_bottom + p.cloud.cutoff_top >= 1.0)
+      fail("cloud.cutoff_top",
+           fmt::format("cloud.cutoff_bottom + cloud.cutoff_top = {} leaves nothing of the ellipsoid; keep "
+                       "the sum below 1",
+                       p.cloud.cutoff_bottom + p.cloud.cutoff_top));
+    check_point_count();
+  }
+
+  void check_point_count() const {
+    const TreeParameters& p = values_.parameters;
+    for (const double density : {p.cloud_density, p.tropism_damping_density}) {
+      const double count = volume(p.cloud) * density;
+      if (count > most_attraction_points)
+        fail("cloud.density",
+             fmt::format("the cloud would have {:.3g} attraction points (volume {:.4g} x density {:.4g}); at "
+                         "most {:.0e} are allowed: lower cloud.density or cloud.radii",
+                         count, volume(p.cloud), density, most_attraction_points));
+    }
+  }
+
+  /// About 10 GiB of memory while growing; anything larger is taken for a typing error.
+  static constexpr double most_attraction_points = 1e8;
+
+  std::string file_;
+  std::vector<const toml::table*> tables_;  // a later one replaces keys of an earlier one
+  std::set<std::string> given_;
+  TreeFileValues values_;
+};
+
+toml::table parse(std::string_view text, std::string_view name) {
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    const auto& where = error.source().begin;
+    throw InputError(fmt::format("{}:{}:{}: not valid TOML: {}", name, where.line, where.column,
+                                 error.description()));
+  }
+}
+
+}  // namespace
+
+TreeParameters read_tree_parameters(const std::filesystem::path& file) {
+  return parse_tree_parameters(read_text_file(file), file.string());
+}
+
+TreeParameters read_tree_parameters(const std::filesystem::path& file,
+                                    const std::vector<std::string>& tables) {
+  const std::string name = file.string();
+  const toml::table root = parse(read_text_file(file), name);
+  std::vector<const toml::table*> found;
+  for (const std::string& table : tables) {
+    found.push_back(root.at_path(table).as_table());
+    if (found.back() == nullptr) throw InputError(fmt::format("{}: has no table [{}]", name, table));
+  }
+  return TreeFileReader(name, std::move(found)).read();
+}
+
+TreeParameters parse_tree_parameters(std::string_view text, std::string_view name) {
+  const toml::table root = parse(text, name);
+  return TreeFileReader(name, {&root}).read();
+}
+
+std::string example_tree_file() {
+  std::string text =
+      "# A tree for `phytobench grow`. Every key may be left out; the values here are the defaults.\n"
+      "# Lengths share one free unit. [Brzoska2019] is described by `phytobench list papers`.\n";
+  std::string section;
+  for (const TreeParameterKey& key : tree_parameter_keys()) {
+    const std::size_t dot = key.name.find('.');
+    const std::string own_section(dot == std::string_view::npos ? "" : key.name.substr(0, dot));
+    if (own_section != section) {
+      text += fmt::format("\n[{}]\n", own_section);
+      section = own_section;
+    }
+    const std::string_view short_name = key.name.substr(dot == std::string_view::npos ? 0 : dot + 1);
+    text += fmt::format("# {}. Unit: {}. Source: {}.\n{}{} = {}\n", key.meaning, key.unit, key.source,
+                        key.shown_as_comment ? "# " : "", short_name, key.default_text);
+  }
+  return text;
+}
+
+}  // namespace phytobench

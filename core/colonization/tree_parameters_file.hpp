@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/colonization/tree_parameters.hpp"
+
+namespace phytobench {
+
+/// Reads a tree from a TOML file. Missing keys take their defaults. Throws InputError with file, line, key
+/// and what is allowed.
+TreeParameters read_tree_parameters(const std::filesystem::path& file);
+
+/// Reads it from tables of the file ("tree.figure-51"), a later table replacing keys of an earlier one.
+TreeParameters read_tree_parameters(const std::filesystem::path& file,
+                                    const std::vector<std::string>& tables);
+
+/// The same from text; `name` stands for the file in messages.
+TreeParameters parse_tree_parameters(std::string_view text, std::string_view name);
+
+/// A file with every key at its default, each with meaning, unit, range and source.
+std::string example_tree_file();
+
+}  // namespace phytobench

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "core/contract/suggestion.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace phytobench {
+
+namespace {
+
+/// Levenshtein distance.
+std::size_t edits(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substitution = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitution});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::string did_you_mean(std::string_view wrong, std::span<const std::string> candidates) {
+  const std::string* best = nullptr;
+  std::size_t fewest = wrong.size() / 3 + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = edits(wrong, candidate);
+    if (distance > fewest || (best != nullptr && distance == fewest)) continue;
+    fewest = distance;
+    best = &candidate;
+  }
+  return best == nullptr ? "" : "; did you mean '" + *best + "'?";
+}
+
+}  // namespace phytobench

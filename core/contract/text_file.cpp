@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "core/contract/text_file.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "core/contract/errors.hpp"
+
+namespace phytobench {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void fail_writing(const fs::path& file, int error) {
+  throw EnvironmentError("cannot write " + file.string() + ": " + std::strerror(error) +
+                         "; nothing was changed there, free the disk or choose another folder");
+}
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+}  // namespace
+
+std::string read_text_file(const fs::path& file, std::uintmax_t most_bytes) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) throw InputError(file.string() + ": no such file");
+  if (fs::is_directory(status)) throw InputError(file.string() + ": is a folder, a file is needed");
+  if (fs::is_regular_file(status) && fs::file_size(file, error) > most_bytes)
+    throw InputError(file.string() + ": is larger than " + std::to_string(most_bytes) +
+                     " bytes; this cannot be the right file");
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream || stream.bad()) {
+    if (stream.eof() || fs::file_size(file, error) == 0) return text.str();
+    throw InputError(file.string() + ": cannot be read; check its permissions");
+  }
+  return text.str();
+}
+
+void make_folder(const fs::path& folder) {
+  if (folder.empty()) return;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder))
+    throw EnvironmentError("cannot make the folder " + folder.string() + ": " +
+                           (error ? error.message() : "a file of that name exists"));
+}
+
+void write_file_atomically(const fs::path& file, std::string_view content) {
+  make_folder(file.parent_path());
+  fs::path temporary = file;
+  temporary += ".part" + std::to_string(::getpid());
+  const std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(temporary.c_str(), "wb"));
+  if (!stream) fail_writing(file, errno);
+  const bool written = std::fwrite(content.data(), 1, content.size(), stream.get()) == content.size() &&
+                       std::fflush(stream.get()) == 0 && ::fsync(::fileno(stream.get())) == 0;
+  std::error_code error;
+  if (written) fs::rename(temporary, file, error);
+  if (written && !error) return;
+  const int reason = written ? error.value() : errno;
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  fail_writing(file, reason);
+}
+
+}  // namespace phytobench

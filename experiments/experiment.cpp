@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/experiment.hpp"
+
+#include "core/contract/errors.hpp"
+
+namespace phytobench {
+
+void ExperimentContext::record(const std::string& name, RecordValue value, const std::string& unit) {
+  record(Record{.experiment = {}, .measurement = name, .value = std::move(value), .unit = unit});
+}
+
+void ExperimentContext::record(Record record) {
+  record.experiment = id_;
+  record.measurement = id_ + "/" + record.measurement;
+  records_.push_back(std::move(record));
+}
+
+void ExperimentContext::timing(const std::string& name, std::int64_t round, std::int64_t position,
+                               double seconds) {
+  timings_.push_back({id_, id_ + "/" + name, round, position, seconds, threads_});
+}
+
+void ExperimentContext::artifact(const std::string& name, std::string content) {
+  artifacts_.push_back({name, std::move(content)});
+}
+
+void ExperimentContext::progress(const std::string& what) {
+  if (is_interrupted && is_interrupted()) throw Interrupted();
+  if (show_progress) show_progress(what);
+}
+
+}  // namespace phytobench

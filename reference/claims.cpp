@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "reference/claims.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/contract/errors.hpp"
+#include "reference/data_folder.hpp"
+#include "reference/toml_table.hpp"
+
+namespace phytobench {
+
+namespace {
+
+constexpr std::array<std::string_view, 8> kinds = {"value",    "count",    "ratio",        "ordering",
+                                                   "exponent", "identity", "distribution", "qualitative"};
+constexpr std::array<std::string_view, 4> bases = {"paper", "author-published", "assumed", "fitted"};
+constexpr std::array<std::string_view, 6> whys = {"exact",          "printed rounding", "figure reading",
+                                                  "sampling error", "floating point",   "stated bound"};
+constexpr std::array<std::string_view, 6> subjects = {"value", "ratio",  "ratio-of-ratios",
+                                                      "sum",   "same",   "different"};
+
+/// The text of a key, which must be one of the words.
+template <std::size_t Count>
+std::size_t word(const TomlTable& table, const std::string& key,
+                 const std::array<std::string_view, Count>& words) {
+  const std::string text = table.text(key);
+  const auto found = std::find(words.begin(), words.end(), text);
+  if (found == words.end())
+    table.fail(fmt::format("'{}' is '{}'; use one of: {}", key, text, fmt::join(words, ", ")));
+  return static_cast<std::size_t>(found - words.begin());
+}
+
+Verdict verdict_of(const TomlTable& table, const std::string& key) {
+  const std::string text = table.text(key);
+  for (const Verdict verdict : all_verdicts)
+    if (text == name_of(verdict)) return verdict;
+  table.fail(fmt::format("'{}' is '{}', which is no verdict", key, text));
+}
+
+std::string full_id(const std::string& measurement, const std::string& paper) {
+  const bool is_signed = measurement.starts_with('+') || measurement.starts_with('-');
+  const std::string sign = is_signed ? measurement.substr(0, 1) : "";
+  return sign + paper + "/" + measurement.substr(sign.size());
+}
+
+void check_term_size(const TomlTable& table, CheckSubject subject, std::size_t size) {
+  const bool right = subject == CheckSubject::value             ? size == 1
+                     : subject == CheckSubject::ratio           ? size == 2
+                     : subject == CheckSubject::ratio_of_ratios ? size == 4
+                                                                : size >= 2;
+  if (!right) table.fail("a term of this check has the wrong number of measurements");
+}
+
+ClaimCheck check_from(const TomlTable& table, const std::string& paper) {
+  table.allow_only({"of", "terms", "low", "high", "equals", "equals_text", "required", "why"});
+  ClaimCheck check;
+  check.subject = static_cast<CheckSubject>(word(table, "of", subjects));
+  for (const std::vector<std::string>& term : table.text_lists("terms")) {
+    check_term_size(table, check.subject, term.size());
+    std::vector<std::string> full;
+    for (const std::string& measurement : term) full.push_back(full_id(measurement, paper));
+    check.terms.push_back(std::move(full));
+  }
+  check.low = table.number_if_given("low");
+  check.high = table.number_if_given("high");
+  check.equals = table.number_if_given("equals");
+  if (table.has("equals_text")) check.equals_text = table.text("equals_text");
+  const bool compares = check.subject == CheckSubject::same || check.subject == CheckSubject::different;
+  const bool bounded = check.low || check.high || check.equals || check.equals_text;
+  if (compares == bounded || check.terms.empty())
+    table.fail("a check needs terms, and bounds unless it is 'same' or 'different'");
+  check.required = static_cast<std::size_t>(
+      table.number_if_given("required").value_or(static_cast<double>(check.terms.size())));
+  if (check.required < 1 || check.required > check.terms.size())
+    table.fail("'required' must lie between 1 and the number of terms");
+  check.why = whys[word(table, "why", whys)];
+  return check;
+}
+
+Claim claim_from(const TomlTable& table, const std::string& paper) {
+  table.allow_only({"id", "locator", "kind", "text", "published", "unit", "digits", "basis", "tier",
+                    "expected_verdict", "erratum", "verdict", "reason", "check"});
+  Claim claim;
+  claim.id = table.text("id");
+  if (claim.id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789./_-") != std::string::npos ||
+      !claim.id.starts_with(paper + "/"))
+    table.fail(fmt::format("id '{}' must start with '{}/' and use only a-z 0-9 . / _ -", claim.id, paper));
+  claim.paper = paper;
+  claim.locator = table.text("locator");
+  claim.kind = kinds[word(table, "kind", kinds)];
+  claim.text = table.text("text");
+  claim.published = table.text("published");
+  claim.unit = table.text_or("unit", "1");
+  if (const auto digits = table.number_if_given("digits")) claim.digits = static_cast<int>(*digits);
+  claim.basis = bases[word(table, "basis", bases)];
+  claim.tier = tier_named(table.text("tier"));
+  claim.expected_verdict = verdict_of(table, "expected_verdict");
+  claim.erratum = table.text_or("erratum", "");
+  claim.reason = table.text("reason");
+  for (const TomlTable& check : table.tables("check")) claim.checks.push_back(check_from(check, paper));
+  if (table.has("verdict")) claim.fixed_verdict = verdict_of(table, "verdict");
+  if (claim.fixed_verdict.has_value() != claim.checks.empty())
+    table.fail("a claim has either checks or a fixed verdict");
+  if (claim.reason.empty()) table.fail("a claim needs a reason");
+  return claim;
+}
+
+PublishedTable published_table_from(const TomlTable& table, const std::string& paper) {
+  table.allow_only({"id", "title", "unit", "note", "rows", "columns", "row_labels", "column_labels",
+                    "measurement", "values"});
+  PublishedTable result{.id = table.text("id"),
+                        .paper = paper,
+                        .title = table.text("title"),
+                        .unit = table.text("unit"),
+                        .note = table.text_or("note", ""),
+                        .rows = table.texts("rows"),
+                        .columns = table.texts("columns"),
+                        .row_labels = table.texts("row_labels"),
+                        .column_labels = table.texts("column_labels"),
+                        .measurement = full_id(table.text("measurement"), paper),
+                        .values = table.number_lists("values")};
+  const bool fits = result.values.size() == result.rows.size() &&
+                    result.row_labels.size() == result.rows.size() &&
+                    result.column_labels.size() == result.columns.size() &&
+                    std::all_of(result.values.begin(), result.values.end(),
+                                [&](const auto& row) { return row.size() == result.columns.size(); });
+  if (!fits) table.fail("rows, columns, labels and values of the table do not fit together");
+  return result;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  const std::size_t place = text.find(what);
+  return place == std::string::npos ? text : text.replace(place, what.size(), with);
+}
+
+}  // namespace
+
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::reproduced: return "reproduced";
+    case Verdict::reproduced_with_erratum: return "reproduced with erratum";
+    case Verdict::not_reproduced: return "not reproduced";
+    case Verdict::inconclusive: return "inconclusive";
+    case Verdict::not_comparable: return "not comparable";
+    case Verdict::underspecified: return "underspecified";
+    case Verdict::not_measured: return "not measured";
+  }
+  return "unknown";
+}
+
+std::string PublishedTable::measurement_at(std::size_t row, std::size_t column) const {
+  return replaced(replaced(measurement, "{row}", rows[row]), "{column}", columns[column]);
+}
+
+PaperClaims load_claims_file(const std::string& file, const std::string& paper) {
+  const TomlTable root = TomlTable::read(file);
+  root.allow_only({"claim", "table"});
+  PaperClaims result;
+  std::set<std::string> ids;
+  for (const TomlTable& table : root.tables("claim")) {
+    result.claims.push_back(claim_from(table, paper));
+    if (!ids.insert(result.claims.back().id).second)
+      table.fail(fmt::format("claim '{}' stands here twice", result.claims.back().id));
+  }
+  for (const TomlTable& table : root.tables("table"))
+    result.tables.push_back(published_table_from(table, paper));
+  return result;
+}
+
+PaperClaims load_claims(const std::string& paper) {
+  return load_claims_file((paper_folder(paper) / "claims.toml").string(), paper);
+}
+
+}  // namespace phytobench

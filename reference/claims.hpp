@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// What a paper claims (reference/papers/<key>/claims.toml). Only reports/ and tests may include this: no
+// experiment can be tuned to a number it cannot see.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/record/record.hpp"
+
+namespace phytobench {
+
+enum class Verdict {
+  reproduced,
+  reproduced_with_erratum,
+  not_reproduced,
+  inconclusive,
+  not_comparable,
+  underspecified,
+  not_measured,
+};
+inline constexpr Verdict all_verdicts[] = {
+    Verdict::reproduced,     Verdict::reproduced_with_erratum, Verdict::not_reproduced,
+    Verdict::inconclusive,   Verdict::not_comparable,          Verdict::underspecified,
+    Verdict::not_measured};
+
+/// "reproduced with erratum", ...: always words.
+std::string_view name_of(Verdict verdict);
+
+/// What one check compares.
+enum class CheckSubject {
+  value,            ///< each term {m}
+  ratio,            ///< each term {a, b}: a / b
+  ratio_of_ratios,  ///< each term {a, b, c, d}: (a / b) / (c / d)
+  sum,              ///< each term {"+a", "-b", ...}
+  same,             ///< all measurements of a term are identical
+  different,        ///< not all measurements of a term are identical
+};
+
+/// One condition on measurements; its bounds are inclusive.
+struct ClaimCheck {
+  CheckSubject subject = CheckSubject::value;
+  std::vector<std::vector<std::string>> terms;  ///< full measurement ids (with sign for sum)
+  std::optional<double> low;
+  std::optional<double> high;
+  std::optional<double> equals;
+  std::optional<std::string> equals_text;
+  std::size_t required = 0;  ///< how many terms must hold
+  std::string why;           ///< kind of reason for the bounds
+};
+
+struct Claim {
+  std::string id;
+  std::string paper;
+  std::string locator;
+  std::string kind;
+  std::string text;
+  std::string published;
+  std::string unit;
+  std::optional<int> digits;
+  std::string basis;
+  Tier tier = Tier::smoke;
+  Verdict expected_verdict = Verdict::reproduced;
+  std::string erratum;                   ///< id of the erratum that makes it hold; empty: none
+  std::optional<Verdict> fixed_verdict;  ///< for claims without checks
+  std::string reason;
+  std::vector<ClaimCheck> checks;
+};
+
+/// A published table, to be shown in its own layout beside what was measured.
+struct PublishedTable {
+  std::string id;
+  std::string paper;
+  std::string title;
+  std::string unit;
+  std::string note;
+  std::vector<std::string> rows, columns, row_labels, column_labels;
+  std::string measurement;  ///< pattern with {row} and {column}, full id
+  std::vector<std::vector<double>> values;
+
+  std::string measurement_at(std::size_t row, std::size_t column) const;
+};
+
+struct PaperClaims {
+  std::vector<Claim> claims;
+  std::vector<PublishedTable> tables;
+};
+
+/// Throws InputError with file and line for a missing or unknown key, an unknown word, a duplicate id, a
+/// claim with neither checks nor fixed verdict, or a check without bounds.
+PaperClaims load_claims(const std::string& paper);
+
+/// The same from a file; `paper` prefixes the measurements.
+PaperClaims load_claims_file(const std::string& file, const std::string& paper);
+
+}  // namespace phytobench

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "reference/data_folder.hpp"
+
+#include <cstdlib>
+
+#include "core/contract/errors.hpp"
+
+namespace phytobench {
+
+namespace fs = std::filesystem;
+
+fs::path data_folder() {
+  if (const char* given = std::getenv("PHYTOBENCH_DATA"); given != nullptr && *given != '\0') {
+    if (!fs::is_directory(fs::path(given) / "papers"))
+      throw EnvironmentError(std::string("PHYTOBENCH_DATA=") + given +
+                             " holds no folder 'papers'; point it to the share folder of a build");
+    return given;
+  }
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  for (fs::path folder = program.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+    if (fs::is_directory(folder / "share" / "papers")) return folder / "share";
+  throw EnvironmentError("no folder share/papers beside " + program.string() +
+                         "; build again, or set PHYTOBENCH_DATA to the share folder of a build");
+}
+
+fs::path paper_folder(const std::string& key) {
+  const fs::path folder = data_folder() / "papers" / key;
+  if (!fs::is_directory(folder))
+    throw InputError("unknown paper '" + key + "'; see phytobench list papers");
+  return folder;
+}
+
+}  // namespace phytobench

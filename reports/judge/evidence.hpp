@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/record/run_files.hpp"
+#include "core/statistics/bootstrap.hpp"
+
+namespace phytobench {
+
+/// The records and timings of a run by measurement id.
+class Evidence {
+ public:
+  explicit Evidence(const RunContents& run);
+
+  bool has(const std::string& measurement) const;
+
+  /// Text of a recorded value, or nothing for a timing or an unknown measurement.
+  std::optional<RecordValue> recorded(const std::string& measurement) const;
+
+  /// Samples in the order of rounds: one exact value for a record, all repetitions for a timing.
+  std::vector<double> samples(const std::string& measurement) const;
+
+  bool is_timing(const std::string& measurement) const { return timings_.contains(measurement); }
+
+  /// Threads used by a timing (the largest, should they differ).
+  std::int64_t threads(const std::string& measurement) const;
+
+ private:
+  std::map<std::string, RecordValue> records_;
+  std::map<std::string, std::vector<TimingSample>> timings_;
+};
+
+/// An evidence value as it is shown: integers as such, reals with six significant digits.
+std::string shown(const RecordValue& value);
+std::string shown(double value);
+
+}  // namespace phytobench

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "reports/judge/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace phytobench {
+
+namespace {
+
+/// "brzoska2019/table-1/voxel.s/seconds" -> "voxel.s/seconds": the experiment is clear from the claim.
+std::string short_name(const std::string& measurement) {
+  const std::size_t first = measurement.find('/');
+  const std::size_t second = first == std::string::npos ? first : measurement.find('/', first + 1);
+  return second == std::string::npos ? measurement : measurement.substr(second + 1);
+}
+
+std::string expression_of(const ClaimCheck& check, const std::vector<std::string>& term) {
+  switch (check.subject) {
+    case CheckSubject::ratio:
+      return short_name(term[0]) + " : " + short_name(term[1]);
+    case CheckSubject::ratio_of_ratios:
+      return "(" + short_name(term[0]) + " : " + short_name(term[1]) + ") : (" + short_name(term[2]) + " : " +
+             short_name(term[3]) + ")";
+    case CheckSubject::sum: {
+      std::string text;
+      for (const std::string& part : term)
+        text += (text.empty() ? "" : " ") + part.substr(0, 1) + " " + short_name(part.substr(1));
+      return text;
+    }
+    default: break;
+  }
+  std::string text;
+  for (const std::string& part : term) text += (text.empty() ? "" : ", ") + short_name(part);
+  return text;
+}
+
+std::string id_of(const ClaimCheck& check, const std::string& part) {
+  return check.subject == CheckSubject::sum ? part.substr(1) : part;
+}
+
+std::string wanted_of(const ClaimCheck& check) {
+  std::string text;
+  if (check.subject == CheckSubject::same) text = "all the same";
+  else if (check.subject == CheckSubject::different) text = "not all the same";
+  else if (check.equals_text) text = "= " + *check.equals_text;
+  else if (check.equals) text = "= " + shown(*check.equals);
+  else if (check.low && check.high) text = fmt::format("{} to {}", shown(*check.low), shown(*check.high));
+  else if (check.low) text = ">= " + shown(*check.low);
+  else text = "<= " + shown(*check.high);
+  if (check.terms.size() > 1) text += fmt::format(" in {} of {}", check.required, check.terms.size());
+  return text;
+}
+
+/// Value of one round of a term.
+double combine(const ClaimCheck& check, const std::vector<std::string>& term,
+               const std::vector<double>& v) {
+  switch (check.subject) {
+    case CheckSubject::ratio: return v[0] / v[1];
+    case CheckSubject::ratio_of_ratios: return (v[0] / v[1]) / (v[2] / v[3]);
+    case CheckSubject::sum: {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < v.size(); ++i) sum += term[i][0] == '-' ? -v[i] : v[i];
+      return sum;
+    }
+    default: return v[0];
+  }
+}
+
+CheckOutcome outcome_of(const Estimate& estimate, const ClaimCheck& check) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double low = check.equals.value_or(check.low.value_or(-infinity));
+  const double high = check.equals.value_or(check.high.value_or(infinity));
+  if (std::isnan(estimate.value)) return CheckOutcome::fails;
+  if (estimate.low >= low && estimate.high <= high) return CheckOutcome::holds;
+  if (estimate.high < low || estimate.low > high) return CheckOutcome::fails;
+  return CheckOutcome::undecided;
+}
+
+std::string shown_estimate(const Estimate& estimate) {
+  if (estimate.low == estimate.high) return shown(estimate.value);
+  return fmt::format("{:.4g} [{:.4g}, {:.4g}]", estimate.value, estimate.low, estimate.high);
+}
+
+JudgedTerm judge_comparison(const ClaimCheck& check, const std::vector<std::string>& term,
+                            const Evidence& evidence, JudgedTerm judged) {
+  std::vector<std::string> values;
+  for (const std::string& part : term) {
+    const auto value = evidence.recorded(part);
+    if (!value) return judged;
+    values.push_back(shown(*value));
+  }
+  const bool same = std::all_of(values.begin(), values.end(), [&](const auto& v) { return v == values[0]; });
+  judged.measured = same ? values[0] : fmt::format("{}", fmt::join(values, ", "));
+  judged.outcome = same == (check.subject == CheckSubject::same) ? CheckOutcome::holds : CheckOutcome::fails;
+  return judged;
+}
+
+JudgedTerm judge_term(const ClaimCheck& check, const std::vector<std::string>& term,
+                      const Evidence& evidence) {
+  JudgedTerm judged{expression_of(check, term), "not measured", CheckOutcome::missing};
+  if (check.subject == CheckSubject::same || check.subject == CheckSubject::different)
+    return judge_comparison(check, term, evidence, judged);
+  if (check.equals_text) {
+    const auto value = evidence.recorded(term[0]);
+    if (!value) return judged;
+    judged.measured = shown(*value);
+    judged.outcome = judged.measured == *check.equals_text ? CheckOutcome::holds : CheckOutcome::fails;
+    return judged;
+  }
+  // Pair the samples of each round; a recorded value is the same in every round.
+  std::vector<std::vector<double>> samples;
+  std::size_t rounds = 1;
+  bool timed = false;
+  for (const std::string& part : term) {
+    samples.push_back(evidence.samples(id_of(check, part)));
+    if (samples.back().empty()) return judged;
+    timed |= evidence.is_timing(id_of(check, part));
+    rounds = std::max(rounds, samples.back().size());
+  }
+  if (timed && rounds < 2) return judged;
+  std::vector<double> combined;
+  for (std::size_t round = 0; round < rounds; ++round) {
+    std::vector<double> values;
+    for (const auto& own : samples) {
+      if (own.size() != 1 && own.size() != rounds) return judged;
+      values.push_back(own.size() == 1 ? own[0] : own[round]);
+    }
+    combined.push_back(combine(check, term, values));
+  }
+  const Estimate estimate = combined.size() == 1 ? Estimate{combined[0], combined[0], combined[0]}
+                                                 : median_estimate(combined);
+  judged.measured = shown_estimate(estimate);
+  judged.outcome = outcome_of(estimate, check);
+  return judged;
+}
+
+JudgedCheck judge_check(const ClaimCheck& check, const Evidence& evidence) {
+  JudgedCheck judged{wanted_of(check), check.why, CheckOutcome::missing, {}};
+  std::size_t holds = 0, undecided = 0, missing = 0;
+  for (const auto& term : check.terms) {
+    judged.terms.push_back(judge_term(check, term, evidence));
+    const CheckOutcome outcome = judged.terms.back().outcome;
+    holds += outcome == CheckOutcome::holds;
+    undecided += outcome == CheckOutcome::undecided;
+    missing += outcome == CheckOutcome::missing;
+  }
+  if (missing > 0) judged.outcome = CheckOutcome::missing;
+  else if (holds >= check.required) judged.outcome = CheckOutcome::holds;
+  else if (holds + undecided < check.required) judged.outcome = CheckOutcome::fails;
+  else judged.outcome = CheckOutcome::undecided;
+  return judged;
+}
+
+/// The worst outcome decides; a failed check needs no other evidence.
+Verdict verdict_of(const Claim& claim, const std::vector<JudgedCheck>& checks) {
+  const auto any = [&](CheckOutcome outcome) {
+    return std::any_of(checks.begin(), checks.end(), [&](const auto& c) { return c.outcome == outcome; });
+  };
+  if (any(CheckOutcome::fails)) return Verdict::not_reproduced;
+  if (any(CheckOutcome::missing)) return Verdict::not_measured;
+  if (any(CheckOutcome::undecided)) return Verdict::inconclusive;
+  return claim.erratum.empty() ? Verdict::reproduced : Verdict::reproduced_with_erratum;
+}
+
+/// Whether a claim rests on times taken with several threads, which the works never used.
+bool rests_on_threaded_times(const Claim& claim, const Evidence& evidence) {
+  for (const ClaimCheck& check : claim.checks)
+    for (const auto& term : check.terms)
+      for (const std::string& part : term)
+        if (evidence.threads(id_of(check, part)) > 1) return true;
+  return false;
+}
+
+std::string short_measured(const std::vector<JudgedCheck>& checks) {
+  std::string text;
+  for (const JudgedCheck& check : checks) {
+    if (!text.empty()) text += "; ";
+    std::vector<std::string> values;
+    for (const JudgedTerm& term : check.terms) values.push_back(term.measured);
+    const bool alike = std::all_of(values.begin(), values.end(), [&](const auto& v) { return v == values[0]; });
+    text += alike ? values[0] : fmt::format("{}", fmt::join(values, ", "));
+  }
+  return text;
+}
+
+}  // namespace
+
+bool Judgement::is_unexpected() const {
+  return verdict != claim->expected_verdict && verdict != Verdict::not_measured &&
+         verdict != Verdict::inconclusive;
+}
+
+Judgement judge(const Claim& claim, const Evidence& evidence, Tier tier) {
+  Judgement judgement{.claim = &claim, .reason = claim.reason};
+  if (claim.fixed_verdict) {
+    judgement.verdict = *claim.fixed_verdict;
+    return judgement;
+  }
+  for (const ClaimCheck& check : claim.checks) judgement.checks.push_back(judge_check(check, evidence));
+  judgement.measured = short_measured(judgement.checks);
+  if (rests_on_threaded_times(claim, evidence)) {
+    judgement.verdict = Verdict::not_measured;
+    judgement.reason = "timed with several threads, the thesis' program used one; run with --threads 1";
+    return judgement;
+  }
+  judgement.verdict = verdict_of(claim, judgement.checks);
+  if (judgement.verdict == Verdict::not_measured)
+    judgement.reason = tier < claim.tier
+                           ? fmt::format("needs tier {}, this run is tier {}", name_of(claim.tier), name_of(tier))
+                           : "this run did not include the experiment that measures it";
+  return judgement;
+}
+
+}  // namespace phytobench

@@ -1,0 +1,2 @@
+#include "reports/write_report.hpp"
+namespace phytobench { ReportSummary write_report(const ReportRequest&) { return {}; } }
