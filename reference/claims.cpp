@@ -111,7 +111,7 @@ Claim claim_from(const TomlTable& table, const std::string& paper) {
 
 PublishedTable published_table_from(const TomlTable& table, const std::string& paper) {
   table.allow_only({"id", "title", "unit", "note", "rows", "columns", "row_labels", "column_labels",
-                    "measurement", "values"});
+                    "measurement", "values", "companions", "discussion"});
   PublishedTable result{.id = table.text("id"),
                         .paper = paper,
                         .title = table.text("title"),
@@ -122,6 +122,9 @@ PublishedTable published_table_from(const TomlTable& table, const std::string& p
                         .row_labels = table.texts("row_labels"),
                         .column_labels = table.texts("column_labels"),
                         .measurement = full_id(table.text("measurement"), paper),
+                        .companions = table.has("companions") ? table.texts("companions")
+                                                              : std::vector<std::string>{},
+                        .discussion = table.text_or("discussion", ""),
                         .values = table.number_lists("values")};
   const bool fits = result.values.size() == result.rows.size() &&
                     result.row_labels.size() == result.rows.size() &&
@@ -154,6 +157,12 @@ std::string_view name_of(Verdict verdict) {
 
 std::string PublishedTable::measurement_at(std::size_t row, std::size_t column) const {
   return replaced(replaced(measurement, "{row}", rows[row]), "{column}", columns[column]);
+}
+
+std::string PublishedTable::companion_at(std::size_t row, std::size_t column,
+                                         const std::string& companion) const {
+  const std::string own = measurement_at(row, column);
+  return own.substr(0, own.rfind('/') + 1) + companion;
 }
 
 PaperClaims load_claims_file(const std::string& file, const std::string& paper) {

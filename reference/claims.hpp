@@ -78,9 +78,12 @@ struct PublishedTable {
   std::string note;
   std::vector<std::string> rows, columns, row_labels, column_labels;
   std::string measurement;  ///< pattern with {row} and {column}, full id
+  std::vector<std::string> companions;  ///< other quantities of the same cells: last part of their ids
+  std::string discussion;               ///< why ours differs, in our words; empty: nothing to say
   std::vector<std::vector<double>> values;
 
   std::string measurement_at(std::size_t row, std::size_t column) const;
+  std::string companion_at(std::size_t row, std::size_t column, const std::string& companion) const;
 };
 
 struct PaperClaims {

@@ -9,16 +9,17 @@ namespace phytobench {
 namespace {
 
 CounterExample counter_example_from(const TomlTable& table) {
-  table.allow_only({"oracle", "arguments", "printed", "corrected", "tolerance"});
+  table.allow_only({"oracle", "arguments", "printed", "corrected", "tolerance", "why"});
   return {.oracle = table.text("oracle"),
           .arguments = table.numbers("arguments"),
           .printed = table.number_if_given("printed"),
           .corrected = table.number("corrected"),
-          .tolerance = table.number("tolerance")};
+          .tolerance = table.number("tolerance"),
+          .why = table.text("why")};
 }
 
 Erratum erratum_from(const TomlTable& table, const std::string& paper) {
-  table.allow_only({"id", "locator", "printed", "corrected", "consequence", "confidence", "claims", "why",
+  table.allow_only({"id", "locator", "printed", "corrected", "consequence", "confidence", "claims",
                     "counter_example"});
   Erratum erratum{.id = table.text("id"),
                   .paper = paper,
@@ -28,7 +29,6 @@ Erratum erratum_from(const TomlTable& table, const std::string& paper) {
                   .consequence = table.text("consequence"),
                   .confidence = table.text("confidence"),
                   .claims = table.texts("claims"),
-                  .why = table.text_or("why", ""),
                   .counter_example = std::nullopt};
   if (erratum.confidence != "certain" && erratum.confidence != "probable")
     table.fail("'confidence' must be certain or probable");

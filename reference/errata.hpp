@@ -15,6 +15,7 @@ struct CounterExample {
   std::optional<double> printed;  ///< absent where the printed form is undefined
   double corrected = 0.0;
   double tolerance = 0.0;
+  std::string why;  ///< reason of the tolerance
 };
 
 struct Erratum {
@@ -26,7 +27,6 @@ struct Erratum {
   std::string consequence;
   std::string confidence;  ///< "certain" or "probable"
   std::vector<std::string> claims;
-  std::string why;
   std::optional<CounterExample> counter_example;
 };
 

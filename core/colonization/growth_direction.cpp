@@ -31,10 +31,7 @@ Vector3 attraction(const Vector3& node, const Vector3& point, AttractionSum kind
 
 std::optional<Vector3> growth_direction(const Vector3& sum, const Vector3& tropism,
                                         TropismOrder order) {
-  if (order == TropismOrder::before_normalising) {
-    if (sum == Vector3{}) return std::nullopt;
-    return normalised(sum + tropism);
-  }
+  if (order == TropismOrder::before_normalising) return normalised(sum + tropism);
   const std::optional<Vector3> attracted = normalised(sum);
   if (!attracted) return std::nullopt;
   return normalised(*attracted + tropism);

@@ -12,7 +12,7 @@ namespace phytobench {
 Vector3 attraction(const Vector3& node, const Vector3& point, AttractionSum kind);
 
 /// Direction (unit length) from a node's attraction sum and the weighted tropism ([Brzoska2019] eq. 9 and
-/// 10). Empty where the sum to be normalised is zero, which the thesis leaves open: no growth then.
+/// 10). Empty where a sum that is to be normalised is zero, which the thesis leaves open: no growth then.
 std::optional<Vector3> growth_direction(const Vector3& sum, const Vector3& tropism, TropismOrder order);
 
 /// Keeps growth within half the perception angle of the node's own direction. Without tropism nothing

@@ -98,11 +98,11 @@ struct Growth {
       const Point sum = problem.departures.sum_raw_vectors
                             ? sentence_before_equation_8_sum(tree.nodes[v], S)
                             : equation_9_sum(tree.nodes[v], S);
-      if (length(sum) == 0) continue;
+      if (problem.departures.normalise_before_tropism && length(sum) == 0) continue;  // 0/0
       const Point n = problem.departures.normalise_before_tropism
                           ? equation_10_as_printed(sum, problem.g)
                           : equation_10_corrected(sum, problem.g);
-      if (!(length(n) > 0)) continue;  // tropism cancels the attraction: 0/0
+      if (!(length(n) > 0)) continue;  // nothing is left to follow: 0/0
       const Point towards = turned_back(n, direction[v]);
       const Point position = equation_8(tree.nodes[v], problem.D, towards);
       if (!problem.departures.no_repeat_guard && stands_there(v, position)) continue;

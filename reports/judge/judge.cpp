@@ -166,13 +166,12 @@ Verdict verdict_of(const Claim& claim, const std::vector<JudgedCheck>& checks) {
   return claim.erratum.empty() ? Verdict::reproduced : Verdict::reproduced_with_erratum;
 }
 
-/// Whether a claim rests on times taken with several threads, which the works never used.
-bool rests_on_threaded_times(const Claim& claim, const Evidence& evidence) {
+/// Calls use(measurement) for everything a claim rests on.
+template <class Use>
+void for_each_measurement(const Claim& claim, const Use& use) {
   for (const ClaimCheck& check : claim.checks)
     for (const auto& term : check.terms)
-      for (const std::string& part : term)
-        if (evidence.threads(id_of(check, part)) > 1) return true;
-  return false;
+      for (const std::string& part : term) use(id_of(check, part));
 }
 
 std::string short_measured(const std::vector<JudgedCheck>& checks) {
@@ -202,7 +201,12 @@ Judgement judge(const Claim& claim, const Evidence& evidence, Tier tier) {
   }
   for (const ClaimCheck& check : claim.checks) judgement.checks.push_back(judge_check(check, evidence));
   judgement.measured = short_measured(judgement.checks);
-  if (rests_on_threaded_times(claim, evidence)) {
+  std::int64_t threads = 1;
+  for_each_measurement(claim, [&](const std::string& measurement) {
+    judgement.varies |= evidence.is_timing(measurement);
+    threads = std::max(threads, evidence.threads(measurement));
+  });
+  if (threads > 1) {
     judgement.verdict = Verdict::not_measured;
     judgement.reason = "timed with several threads, the thesis' program used one; run with --threads 1";
     return judgement;

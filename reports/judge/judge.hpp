@@ -33,6 +33,7 @@ struct Judgement {
   std::string measured;  ///< short text for tables; the checks hold all of it
   std::string reason;    ///< the claim's own, or why nothing could be measured
   std::vector<JudgedCheck> checks;
+  bool varies = false;  ///< rests on times, which differ between equal runs
 
   /// Whether the verdict contradicts the claim's expected one. Missing evidence and noise contradict
   /// nothing.

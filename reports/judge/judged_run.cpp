@@ -20,24 +20,42 @@ Place largest_of(const std::vector<std::vector<double>>& values) {
   return best;
 }
 
+/// Medians of one quantity in every cell; `complete` says whether each had evidence.
+template <class Id>
+std::vector<std::vector<Estimate>> cell_estimates(const PublishedTable& table, const Evidence& evidence,
+                                                  const Id& id, bool& complete) {
+  std::vector<std::vector<Estimate>> values;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    auto& own = values.emplace_back();
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+      const std::vector<double> samples = evidence.samples(id(row, column));
+      complete &= !samples.empty();
+      own.push_back(samples.empty() ? Estimate{} : median_estimate(samples));
+    }
+  }
+  return values;
+}
+
+std::vector<JudgedCompanion> judge_companions(const PublishedTable& table, const Evidence& evidence) {
+  std::vector<JudgedCompanion> companions;
+  for (const std::string& name : table.companions) {
+    const auto id = [&](std::size_t row, std::size_t column) { return table.companion_at(row, column, name); };
+    bool complete = true;
+    auto values = cell_estimates(table, evidence, id, complete);
+    if (complete) companions.push_back({name, evidence.is_timing(id(0, 0)), std::move(values)});
+  }
+  return companions;
+}
+
 }  // namespace
 
 JudgedTable judge_table(const PublishedTable& table, const Evidence& evidence) {
   JudgedTable judged{.table = &table};
-  const auto id = [&](const Place& place) { return table.measurement_at(place.row, place.column); };
+  const auto id = [&](std::size_t row, std::size_t column) { return table.measurement_at(row, column); };
   judged.measured = true;
-  std::vector<std::vector<double>> medians;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    auto& values = judged.values.emplace_back();
-    auto& plain = medians.emplace_back();
-    for (std::size_t column = 0; column < table.columns.size(); ++column) {
-      const std::vector<double> samples = evidence.samples(id({row, column}));
-      judged.measured &= !samples.empty();
-      judged.timed |= evidence.is_timing(id({row, column}));
-      values.push_back(samples.empty() ? Estimate{} : median_estimate(samples));
-      plain.push_back(values.back().value);
-    }
-  }
+  judged.values = cell_estimates(table, evidence, id, judged.measured);
+  judged.timed = evidence.is_timing(id(0, 0));
+  judged.companions = judge_companions(table, evidence);
   // Normalise both tables to their own largest cell.
   const Place top = largest_of(table.values);
   for (const auto& row : table.values) {
@@ -45,11 +63,17 @@ JudgedTable judge_table(const PublishedTable& table, const Evidence& evidence) {
     for (const double value : row) shares.push_back(value / table.values[top.row][top.column]);
   }
   if (!judged.measured) return judged;
-  const std::vector<double> slowest = evidence.samples(id(largest_of(medians)));
+  std::vector<std::vector<double>> medians;
+  for (const auto& row : judged.values) {
+    auto& own = medians.emplace_back();
+    for (const Estimate& estimate : row) own.push_back(estimate.value);
+  }
+  const Place largest = largest_of(medians);
+  const std::vector<double> slowest = evidence.samples(id(largest.row, largest.column));
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     auto& shares = judged.share.emplace_back();
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
-      const std::vector<double> samples = evidence.samples(id({row, column}));
+      const std::vector<double> samples = evidence.samples(id(row, column));
       shares.push_back(samples.size() == slowest.size() ? paired_ratio_estimate(samples, slowest) : Estimate{});
     }
   }

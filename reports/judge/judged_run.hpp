@@ -10,6 +10,13 @@
 
 namespace phytobench {
 
+/// Another quantity of a table's cells: work counters, phases.
+struct JudgedCompanion {
+  std::string name;
+  bool timed = false;
+  std::vector<std::vector<Estimate>> values;
+};
+
 /// A published table beside what was measured, in its own layout.
 struct JudgedTable {
   const PublishedTable* table = nullptr;
@@ -18,6 +25,7 @@ struct JudgedTable {
   std::vector<std::vector<Estimate>> values;        ///< per row and column
   std::vector<std::vector<double>> published_share; ///< of the largest published cell
   std::vector<std::vector<Estimate>> share;         ///< of the largest measured cell, paired by round
+  std::vector<JudgedCompanion> companions;          ///< those with evidence in every cell
 };
 
 struct JudgedPaper {
