@@ -20,6 +20,7 @@ constexpr std::array<std::string_view, 8> kinds = {"value",    "count",    "rati
 constexpr std::array<std::string_view, 4> bases = {"paper", "author-published", "assumed", "fitted"};
 constexpr std::array<std::string_view, 6> whys = {"exact",          "printed rounding", "figure reading",
                                                   "sampling error", "floating point",   "stated bound"};
+constexpr std::array<std::string_view, 2> origins = {"published", "derived"};
 constexpr std::array<std::string_view, 6> subjects = {"value", "ratio",  "ratio-of-ratios",
                                                       "sum",   "same",   "different"};
 
@@ -111,7 +112,8 @@ Claim claim_from(const TomlTable& table, const std::string& paper) {
 
 PublishedTable published_table_from(const TomlTable& table, const std::string& paper) {
   table.allow_only({"id", "title", "unit", "note", "rows", "columns", "row_labels", "column_labels",
-                    "measurement", "values", "companions", "discussion"});
+                    "measurement", "values", "companions", "per", "origin",
+                    "discussion"});
   PublishedTable result{.id = table.text("id"),
                         .paper = paper,
                         .title = table.text("title"),
@@ -124,6 +126,8 @@ PublishedTable published_table_from(const TomlTable& table, const std::string& p
                         .measurement = full_id(table.text("measurement"), paper),
                         .companions = table.has("companions") ? table.texts("companions")
                                                               : std::vector<std::string>{},
+                        .per = table.text_or("per", ""),
+                        .origin = std::string(origins[word(table, "origin", origins)]),
                         .discussion = table.text_or("discussion", ""),
                         .values = table.number_lists("values")};
   const bool fits = result.values.size() == result.rows.size() &&

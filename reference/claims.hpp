@@ -79,6 +79,8 @@ struct PublishedTable {
   std::vector<std::string> rows, columns, row_labels, column_labels;
   std::string measurement;  ///< pattern with {row} and {column}, full id
   std::vector<std::string> companions;  ///< other quantities of the same cells: last part of their ids
+  std::string per;                      ///< companion the values are also divided by; empty: none
+  std::string origin;                   ///< "published" or "derived" (by us, before the run)
   std::string discussion;               ///< why ours differs, in our words; empty: nothing to say
   std::vector<std::vector<double>> values;
 

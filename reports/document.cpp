@@ -2,12 +2,13 @@
 #include "reports/document.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "build_information.hpp"
+#include "reports/document_claims.hpp"
+#include "reports/document_tables.hpp"
 
 namespace phytobench {
 
@@ -15,34 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* left_out = "left out: rests on times";
 constexpr const char* bases[] = {"paper", "author-published", "assumed", "fitted"};
-
-/// A word usable as a CSS class and file name part.
-std::string slug(std::string text) {
-  for (char& c : text)
-    if (c == ' ' || c == '/' || c == '.') c = '-';
-  return text;
-}
-
-std::string with_thousands(double value) {
-  std::string digits = fmt::format("{:.0f}", value);
-  for (std::size_t place = digits.size(); place > 3;) {
-    place -= 3;
-    digits.insert(place, ",");
-  }
-  return digits;
-}
-
-std::string outcome_word(CheckOutcome outcome) {
-  switch (outcome) {
-    case CheckOutcome::holds: return "holds";
-    case CheckOutcome::fails: return "fails";
-    case CheckOutcome::undecided: return "undecided";
-    case CheckOutcome::missing: return "not measured";
-  }
-  return "";
-}
 
 /// Builds the document part by part.
 class DocumentBuilder {
@@ -118,7 +92,7 @@ class DocumentBuilder {
     for (const Verdict verdict : all_verdicts) {
       ordered_json row;
       row["verdict"] = name_of(verdict);
-      row["class"] = slug(std::string(name_of(verdict)));
+      row["class"] = verdict_class(verdict);
       std::size_t total = 0;
       std::map<std::string, std::size_t> by_basis;
       for_each_judgement([&](const Judgement& judgement) {
@@ -139,59 +113,9 @@ class DocumentBuilder {
     for_each_judgement([&](const Judgement& judgement) {
       const bool open = judgement.verdict == Verdict::not_reproduced ||
                         judgement.verdict == Verdict::inconclusive || judgement.is_unexpected();
-      if (open && !hidden(judgement)) rows.push_back(claim_part(judgement));
+      if (open && !hidden(judgement)) rows.push_back(claim_document(judgement, false));
     });
     return rows;
-  }
-
-  ordered_json claim_part(const Judgement& judgement) const {
-    const Claim& claim = *judgement.claim;
-    const bool is_hidden = hidden(judgement);
-    ordered_json part;
-    part["id"] = claim.id;
-    part["anchor"] = slug(claim.id);
-    part["locator"] = claim.locator;
-    part["kind"] = claim.kind;
-    part["text"] = claim.text;
-    part["published"] = claim.published;
-    part["unit"] = claim.unit == "1" ? "" : claim.unit;
-    part["basis"] = claim.basis;
-    part["erratum"] = claim.erratum;
-    part["has_erratum"] = !claim.erratum.empty();
-    part["varies"] = judgement.varies;
-    part["verdict"] = is_hidden ? left_out : name_of(judgement.verdict);
-    part["class"] = is_hidden ? "not-measured" : slug(std::string(name_of(judgement.verdict)));
-    part["measured"] = is_hidden ? left_out : judgement.measured;
-    part["reason"] = judgement.reason;
-    part["unexpected"] = !is_hidden && judgement.is_unexpected();
-    part["expected"] = name_of(claim.expected_verdict);
-    part["repeat"] = fmt::format("phytobench run {} --tier {} --out results", experiment_of(claim), name_of(claim.tier));
-    part["has_repeat"] = !claim.checks.empty();
-    part["checks"] = ordered_json::array();
-    if (is_hidden) return part;
-    for (const JudgedCheck& check : judgement.checks) {
-      ordered_json row{{"wanted", check.wanted}, {"why", check.why}, {"outcome", outcome_word(check.outcome)}};
-      for (const JudgedTerm& term : check.terms)
-        row["terms"].push_back({{"expression", term.expression},
-                                {"measured", term.measured},
-                                {"outcome", outcome_word(term.outcome)}});
-      part["checks"].push_back(row);
-    }
-    return part;
-  }
-
-  /// The experiments whose measurements a claim is judged on.
-  static std::string experiment_of(const Claim& claim) {
-    std::vector<std::string> experiments;
-    for (const ClaimCheck& check : claim.checks)
-      for (const auto& term : check.terms)
-        for (const std::string& part : term) {
-          const std::size_t start = part[0] == '+' || part[0] == '-' ? 1 : 0;
-          const std::size_t second = part.find('/', part.find('/') + 1);
-          const std::string id = part.substr(start, second - start);
-          if (std::find(experiments.begin(), experiments.end(), id) == experiments.end()) experiments.push_back(id);
-        }
-    return fmt::format("{}", fmt::join(experiments, " "));
   }
 
   ordered_json paper_part(const JudgedPaper& judged) const {
@@ -203,75 +127,15 @@ class DocumentBuilder {
     part["kind"] = judged.paper.kind;
     part["summary"] = judged.paper.summary;
     part["tables"] = ordered_json::array();
-    for (const JudgedTable& table : judged.tables) part["tables"].push_back(table_part(table));
+    for (const JudgedTable& table : judged.tables) part["tables"].push_back(table_document(table, sources_.without_varying));
     part["pictures"] = ordered_json::array();
     for (const auto& [name, svg] : sources_.pictures)
       if (name.starts_with(judged.paper.key + "/")) part["pictures"].push_back({{"name", name}, {"svg", svg}});
     part["claims"] = ordered_json::array();
-    for (const Judgement& judgement : judged.judgements) part["claims"].push_back(claim_part(judgement));
+    for (const Judgement& judgement : judged.judgements) part["claims"].push_back(claim_document(judgement, hidden(judgement)));
     part["errata"] = ordered_json::array();
     for (const Erratum& erratum : judged.errata) part["errata"].push_back(erratum_part(erratum));
     return part;
-  }
-
-  ordered_json table_part(const JudgedTable& judged) const {
-    const PublishedTable& table = *judged.table;
-    ordered_json part;
-    part["id"] = table.id;
-    part["title"] = table.title;
-    part["unit"] = table.unit;
-    part["note"] = table.note;
-    part["discussion"] = table.discussion;
-    part["columns"] = table.column_labels;
-    part["timed"] = judged.timed;
-    const bool visible = judged.measured && !(judged.timed && sources_.without_varying);
-    part["measured"] = visible;
-    part["not_measured"] = !visible;
-    part["grids"] = ordered_json::array();
-    add_grid(part, table, judged.timed ? "Published" : "Expected", "as printed", false,
-             [&](auto row, auto column) { return shown(table.values[row][column]); });
-    if (visible) {
-      add_grid(part, table, "Measured", judged.timed ? "median of all rounds and its 95 % interval" : "", judged.timed,
-               [&](auto row, auto column) { return estimate_text(judged.values[row][column], judged.timed); });
-    }
-    if (judged.timed && visible) {
-      add_grid(part, table, "Published, relative", "share of the slowest published cell", false,
-               [&](auto row, auto column) { return fmt::format("{:.3f}", judged.published_share[row][column]); });
-      add_grid(part, table, "Measured, relative", "share of the slowest measured cell, paired by round", true,
-               [&](auto row, auto column) {
-                 const Estimate& share = judged.share[row][column];
-                 return fmt::format("{:.3f} [{:.3f}, {:.3f}]", share.value, share.low, share.high);
-               });
-    }
-    for (const JudgedCompanion& companion : judged.companions) {
-      if (companion.timed && sources_.without_varying) continue;
-      std::string name = companion.name;
-      std::replace(name.begin(), name.end(), '_', ' ');
-      name[0] = static_cast<char>(std::toupper(name[0]));
-      add_grid(part, table, name, companion.timed ? "median, seconds" : "exact count", companion.timed,
-               [&](auto row, auto column) {
-                 const Estimate& value = companion.values[row][column];
-                 return companion.timed ? fmt::format("{:.4g}", value.value) : with_thousands(value.value);
-               });
-    }
-    return part;
-  }
-
-  static std::string estimate_text(const Estimate& estimate, bool timed) {
-    if (!timed) return shown(estimate.value);
-    return fmt::format("{:.4f} [{:.4f}, {:.4f}]", estimate.value, estimate.low, estimate.high);
-  }
-
-  template <class Text>
-  static void add_grid(ordered_json& part, const PublishedTable& table, const std::string& title,
-                       const std::string& note, bool varies, const Text& text) {
-    ordered_json grid{{"title", title}, {"note", note}, {"varies", varies}, {"columns", table.column_labels}};
-    for (std::size_t row = 0; row < table.rows.size(); ++row) {
-      ordered_json cells = ordered_json::array();
-      for (std::size_t column = 0; column < table.columns.size(); ++column) cells.push_back(text(row, column));
-      grid["rows"].push_back({{"label", table.row_labels[row]}, {"cells", cells}});
-    }
-    part["grids"].push_back(grid);
   }
 
   static ordered_json erratum_part(const Erratum& erratum) {

@@ -47,6 +47,24 @@ std::vector<JudgedCompanion> judge_companions(const PublishedTable& table, const
   return companions;
 }
 
+/// Published and measured values per unit of work: the same counts stand behind both.
+void divide_by_work(JudgedTable& judged, const Evidence& evidence) {
+  const PublishedTable& table = *judged.table;
+  if (table.per.empty()) return;
+  bool complete = true;
+  const auto id = [&](std::size_t row, std::size_t column) { return table.companion_at(row, column, table.per); };
+  const auto work = cell_estimates(table, evidence, id, complete);
+  if (!complete) return;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    auto& published = judged.published_per.emplace_back();
+    auto& measured = judged.measured_per.emplace_back();
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+      published.push_back(table.values[row][column] / work[row][column].value);
+      measured.push_back(judged.values[row][column].value / work[row][column].value);
+    }
+  }
+}
+
 }  // namespace
 
 JudgedTable judge_table(const PublishedTable& table, const Evidence& evidence) {
@@ -56,6 +74,7 @@ JudgedTable judge_table(const PublishedTable& table, const Evidence& evidence) {
   judged.values = cell_estimates(table, evidence, id, judged.measured);
   judged.timed = evidence.is_timing(id(0, 0));
   judged.companions = judge_companions(table, evidence);
+  divide_by_work(judged, evidence);
   // Normalise both tables to their own largest cell.
   const Place top = largest_of(table.values);
   for (const auto& row : table.values) {

@@ -26,6 +26,8 @@ struct JudgedTable {
   std::vector<std::vector<double>> published_share; ///< of the largest published cell
   std::vector<std::vector<Estimate>> share;         ///< of the largest measured cell, paired by round
   std::vector<JudgedCompanion> companions;          ///< those with evidence in every cell
+  std::vector<std::vector<double>> published_per;   ///< published value per unit of work; empty: none
+  std::vector<std::vector<double>> measured_per;    ///< median per unit of work; empty: none
 };
 
 struct JudgedPaper {
