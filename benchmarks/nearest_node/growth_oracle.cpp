@@ -138,20 +138,22 @@ CheckedGrowth grow_checked(const EngineDescriptor& engine, const Seedling& seedl
   CheckedGrowth checked;
   try {
     checked.result = grow_crown(seedling, checking, run);
-    if (tree_hash(checked.result.skeleton) != oracle.hash())
-      checked.disagreement = "every assignment agrees, but the tree is another";
   } catch (const Disagreement& disagreement) {
     checked.disagreement = disagreement.what;
+    return checked;
   }
+  if (tree_hash(checked.result.skeleton) != oracle.hash())
+    checked.disagreement = "every assignment agrees, but the tree is another";
+  else
+    checked.verified = VerifiedRun(engine, seedling, oracle.hash(), run);
   return checked;
 }
 
-GrowthResult grow_timed(const EngineDescriptor& engine, const Seedling& seedling,
-                        const GrowthOracle& oracle, const GrowthRun& run) {
-  const auto instance = engine.create();
-  GrowthResult result = grow_crown(seedling, *instance, run);
-  if (tree_hash(result.skeleton) != oracle.hash())
-    throw ContractViolation("engine " + std::string(engine.name) +
+GrowthResult VerifiedRun::grow() const {
+  const auto instance = engine_->create();
+  GrowthResult result = grow_crown(*seedling_, *instance, run_);
+  if (tree_hash(result.skeleton) != hash_)
+    throw ContractViolation("engine " + std::string(engine_->name) +
                             " grew another tree while it was timed than while it was checked");
   return result;
 }

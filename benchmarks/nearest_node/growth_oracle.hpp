@@ -16,6 +16,8 @@ namespace phytobench {
 /// The oracle's problem for a seedling: the same inputs in the oracle's own words.
 oracles::brzoska2019::GrowthProblem oracle_problem(const Seedling& seedling);
 
+struct CheckedGrowth;
+
 /// The literal answer for one seedling, computed once.
 class GrowthOracle {
  public:
@@ -31,20 +33,38 @@ class GrowthOracle {
   std::string hash_;
 };
 
-/// What a checked growth found.
+/// An engine and a run that agreed with the oracle in every iteration. Only grow_checked() makes one, and
+/// only one of these can be timed.
+class VerifiedRun {
+ public:
+  /// Grows once more and returns the tree with its times. Throws ContractViolation if it is another tree than
+  /// the one that was checked: then its time is worth nothing.
+  GrowthResult grow() const;
+
+  const EngineDescriptor& engine() const { return *engine_; }
+
+ private:
+  friend CheckedGrowth grow_checked(const EngineDescriptor&, const Seedling&, const GrowthOracle&,
+                                    const GrowthRun&);
+  VerifiedRun(const EngineDescriptor& engine, const Seedling& seedling, std::string hash, GrowthRun run)
+      : engine_(&engine), seedling_(&seedling), hash_(std::move(hash)), run_(std::move(run)) {}
+
+  const EngineDescriptor* engine_;
+  const Seedling* seedling_;
+  std::string hash_;
+  GrowthRun run_;
+};
+
+/// What a checked growth found: a verified run, or the first difference from the oracle.
 struct CheckedGrowth {
-  GrowthResult result;                      ///< meaningful only without a disagreement
-  std::optional<std::string> disagreement;  ///< iteration, point, both nodes, both distances
+  GrowthResult result;                   ///< meaningful only if verified
+  std::optional<VerifiedRun> verified;   ///< must not outlive the seedling
+  std::string disagreement;              ///< iteration, point, both nodes, both distances; empty if verified
 };
 
 /// Grows with an engine and stops at its first answer that differs from the oracle's. Distances are
 /// recomputed here: an engine cannot vouch for itself.
 CheckedGrowth grow_checked(const EngineDescriptor& engine, const Seedling& seedling,
                            const GrowthOracle& oracle, const GrowthRun& run);
-
-/// Grows and times with an engine that has been checked. Throws ContractViolation if the tree's hash is
-/// not the oracle's: then its time is worth nothing.
-GrowthResult grow_timed(const EngineDescriptor& engine, const Seedling& seedling,
-                        const GrowthOracle& oracle, const GrowthRun& run);
 
 }  // namespace phytobench

@@ -68,6 +68,8 @@ struct Growth {
         place[v] = S.size();
         S.push_back({static_cast<std::size_t>(v), {}});
       }
+      // A point exactly at the node is 0/0 in eq. 9; it is taken to pull nowhere.
+      if (pass.squared_distance[s] == 0) continue;
       S[place[v]].second.push_back(p);
     }
     return S;

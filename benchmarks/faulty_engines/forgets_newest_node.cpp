@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Wrong on purpose: never looks at the node added last.
+#include <vector>
+
+#include "core/nearest_node/point_driven_engine.hpp"
+
+namespace phytobench::engines {
+
+namespace {
+
+class Faulty {
+ public:
+  void reset(std::span<const Vector3>, double) { nodes_.clear(); }
+
+  std::uint64_t insert(std::span<const SearchableNode> nodes) {
+    nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
+    return nodes.size();
+  }
+
+  NearestHit nearest(PointIndex, const Vector3& point, const Perception& perception,
+                     WorkCounters& work) const {
+    NearestHit best{no_node, perception.beyond_reach()};
+    for (std::size_t i = 0; i + 1 < nodes_.size() || i < 1; ++i) {
+      const SearchableNode& node = nodes_[i];
+      const double squared = squared_distance(point, node.position);
+      if (!(squared < best.squared_distance)) continue;
+      if (!perception.within_angle(node.position, node.direction, point, squared)) continue;
+      best = {static_cast<NodeIndex>(i), squared};
+    }
+    work.search_evaluations += nodes_.size();
+    return best;
+  }
+
+ private:
+  std::vector<SearchableNode> nodes_;
+};
+
+}  // namespace
+
+extern const EngineDescriptor forgets_newest_node;
+constinit const EngineDescriptor forgets_newest_node{
+    .name = "forgets_newest_node",
+    .summary = "Wrong on purpose: never looks at the node added last.",
+    .source = "a loop that ends one too early",
+    .create = make_point_driven_engine<Faulty>,
+};
+
+}  // namespace phytobench::engines
