@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One function per subcommand, each in a file of its own. Options are plain structs: only main.cpp knows
-// the command-line library.
+// One function per subcommand, each in a file of its own. Options are plain structs: only main.cpp
+// knows the command-line library.
 #pragma once
 
 #include <cstdint>

@@ -44,7 +44,8 @@ constexpr Tool tools[] = {{"g++", "building"},
                           {"ccache", "building again quickly"},
                           {"clang-format", "the formatting part of the tidy test"}};
 
-/// How far the slowest of 40 equal pieces of work is from the fastest, and the median from the fastest.
+/// How far the slowest of 40 equal pieces of work is from the fastest, and the median from the
+/// fastest.
 struct Noise {
   double slowest_over_fastest = 0.0;
   double median_over_fastest = 0.0;
@@ -58,7 +59,8 @@ Noise measured_noise() {
     double sum = 0.0;
     for (int i = 1; i < 2000000; ++i) sum += 1.0 / i;
     sink = sum;
-    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    seconds.push_back(
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   (void)sink;
   const double fastest = *std::min_element(seconds.begin(), seconds.end());
@@ -73,10 +75,12 @@ ordered_json examination() {
   json["compiler"] = build_information::compiler;
   json["flags"] = build_information::flags;
   json["data_folder"] = data_folder().string();
-  for (const Component& component : linked_components()) json["libraries"][component.name] = component.version;
+  for (const Component& component : linked_components())
+    json["libraries"][component.name] = component.version;
   for (const EngineDescriptor* engine : all_engines())
     json["engines"][std::string(engine->name)] =
-        engine->built() ? "built" : "not built: " + std::string(engine->missing_package) + " is missing";
+        engine->built() ? "built"
+                        : "not built: " + std::string(engine->missing_package) + " is missing";
   for (const Tool& tool : tools)
     json["tools"][tool.program] =
         is_on_path(tool.program) ? "found" : fmt::format("missing (needed for {})", tool.purpose);
@@ -88,18 +92,24 @@ ordered_json examination() {
                      {"virtual_machine", machine.virtual_machine},
                      {"load_1min", machine.load_1min}};
   const Noise noise = measured_noise();
-  const bool quiet = machine.load_1min < 0.3 && noise.median_over_fastest < 1.03 && noise.slowest_over_fastest < 1.25;
-  json["quiet"] = {{"verdict", quiet ? "quiet" : "not quiet: trust ratios of one run only, with their intervals"},
-                   {"slowest_over_fastest", noise.slowest_over_fastest},
-                   {"median_over_fastest", noise.median_over_fastest}};
+  const bool quiet = machine.load_1min < 0.3 && noise.median_over_fastest < 1.03 &&
+                     noise.slowest_over_fastest < 1.25;
+  json["quiet"] = {
+      {"verdict",
+       quiet ? "quiet" : "not quiet: trust ratios of one run only, with their intervals"},
+      {"slowest_over_fastest", noise.slowest_over_fastest},
+      {"median_over_fastest", noise.median_over_fastest}};
   return json;
 }
 
 std::string plain(const ordered_json& json, const std::string& indent = "") {
   std::string text;
   for (const auto& [key, value] : json.items()) {
-    if (value.is_object()) text += indent + key + "\n" + plain(value, indent + "  ");
-    else text += fmt::format("{}{:<22} {}\n", indent, key, value.is_string() ? value.get<std::string>() : value.dump());
+    if (value.is_object())
+      text += indent + key + "\n" + plain(value, indent + "  ");
+    else
+      text += fmt::format("{}{:<22} {}\n", indent, key,
+                          value.is_string() ? value.get<std::string>() : value.dump());
   }
   return text;
 }

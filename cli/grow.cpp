@@ -16,8 +16,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json summary(const GrowOptions& options, const TreeParameters& parameters, const Seedling& seedling,
-                     const GrowthResult& result) {
+ordered_json summary(const GrowOptions& options, const TreeParameters& parameters,
+                     const Seedling& seedling, const GrowthResult& result) {
   const Skeleton& tree = result.skeleton;
   ordered_json json;
   json["schema"] = "phytobench/grow-1";
@@ -46,9 +46,10 @@ ordered_json summary(const GrowOptions& options, const TreeParameters& parameter
 
 std::string plain_summary(const ordered_json& json) {
   std::string text;
-  for (const char* key : {"attraction_points", "live_points", "iterations", "stop_reason", "nodes", "edges",
-                          "tips", "edge_depth", "highest_y", "tree_hash"})
-    text += fmt::format("{:<18} {}\n", key, json[key].is_string() ? json[key].get<std::string>() : json[key].dump());
+  for (const char* key : {"attraction_points", "live_points", "iterations", "stop_reason", "nodes",
+                          "edges", "tips", "edge_depth", "highest_y", "tree_hash"})
+    text += fmt::format("{:<18} {}\n", key,
+                        json[key].is_string() ? json[key].get<std::string>() : json[key].dump());
   return text;
 }
 
@@ -66,19 +67,22 @@ int grow(const GrowOptions& options) {
     return 0;
   }
   if (options.config.empty())
-    throw InputError("grow needs a parameter file; phytobench grow --example prints one to start from");
+    throw InputError(
+        "grow needs a parameter file; phytobench grow --example prints one to start from");
   const TreeParameters parameters = read_tree_parameters(options.config);
   const LoopOptions loop = loop_options_named(options.option);
   const auto engine = engine_named(options.engine).create();
   catch_interrupts();
   const Seedling seedling = make_seedling(parameters);
-  const GrowthResult result = grow_crown(
-      seedling, *engine, {.options = loop, .threads = options.threads, .observer = report_iteration});
+  const GrowthResult result =
+      grow_crown(seedling, *engine,
+                 {.options = loop, .threads = options.threads, .observer = report_iteration});
   if (result.stop_reason == StopReason::interrupted) throw Interrupted();
   if (result.skeleton.node_count() == seedling.skeleton.node_count())
     throw InputError(options.config + ": " + why_growth_cannot_start(seedling));
   if (!options.picture.empty())
-    write_file_atomically(options.picture, skeleton_svg(result.skeleton, "Tree grown from " + options.config));
+    write_file_atomically(options.picture,
+                          skeleton_svg(result.skeleton, "Tree grown from " + options.config));
   const ordered_json json = summary(options, parameters, seedling, result);
   print(options.json ? json.dump(2) + "\n" : plain_summary(json));
   return 0;

@@ -49,9 +49,10 @@ ordered_json experiments() {
   for (const ExperimentDescriptor* experiment : all_experiments())
     rows.push_back({{"id", experiment->id},
                     {"source", experiment->source},
-                    {"seconds", {{"smoke", experiment->seconds[0]},
-                                 {"quick", experiment->seconds[1]},
-                                 {"full", experiment->seconds[2]}}},
+                    {"seconds",
+                     {{"smoke", experiment->seconds[0]},
+                      {"quick", experiment->seconds[1]},
+                      {"full", experiment->seconds[2]}}},
                     {"summary", experiment->question}});
   return rows;
 }
@@ -69,7 +70,9 @@ ordered_json engines() {
 }
 
 /// Competition rules: none are part of the suite yet.
-ordered_json rules() { return ordered_json::array(); }
+ordered_json rules() {
+  return ordered_json::array();
+}
 
 struct Kind {
   const char* name;
@@ -87,9 +90,10 @@ std::string plain(const ordered_json& rows) {
   for (const ordered_json& row : rows) width = std::max(width, row["id"].get<std::string>().size());
   for (const ordered_json& row : rows) {
     const bool missing = row.contains("built") && !row["built"].get<bool>();
-    text += fmt::format("{:<{}}  {}{}\n", row["id"].get<std::string>(), width,
-                        missing ? "[not built: " + row["missing_package"].get<std::string>() + "] " : "",
-                        row["summary"].get<std::string>());
+    text += fmt::format(
+        "{:<{}}  {}{}\n", row["id"].get<std::string>(), width,
+        missing ? "[not built: " + row["missing_package"].get<std::string>() + "] " : "",
+        row["summary"].get<std::string>());
   }
   return text;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Reads the command line and turns whatever happens into one line and an exit code. The only file that
-// includes the command-line library.
+// Reads the command line and turns whatever happens into one line and an exit code. The only file
+// that includes the command-line library.
 #include <cstdio>
 #include <exception>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "build_information.hpp"
 #include "cli/commands.hpp"
@@ -16,7 +16,14 @@ namespace phytobench::cli {
 
 namespace {
 
-enum ExitCode { ok = 0, difference = 1, bad_input = 2, environment = 3, nothing_selected = 4, interrupted = 130 };
+enum ExitCode {
+  ok = 0,
+  difference = 1,
+  bad_input = 2,
+  environment = 3,
+  nothing_selected = 4,
+  interrupted = 130
+};
 
 /// Standard options of a subcommand and what it runs.
 struct Commands {
@@ -29,8 +36,10 @@ struct Commands {
 };
 
 void add_list(CLI::App& app, Commands& commands) {
-  CLI::App* sub = app.add_subcommand("list", "What there is: papers, claims, experiments, engines, rules");
-  sub->add_option("what", commands.list.what, "papers, claims, experiments, engines or rules; all counted without it");
+  CLI::App* sub =
+      app.add_subcommand("list", "What there is: papers, claims, experiments, engines, rules");
+  sub->add_option("what", commands.list.what,
+                  "papers, claims, experiments, engines or rules; all counted without it");
   sub->add_flag("--json", commands.list.json, "One JSON document");
   sub->callback([&] { commands.chosen = [&] { return list(commands.list); }; });
 }
@@ -39,9 +48,13 @@ void add_run(CLI::App& app, Commands& commands) {
   RunOptions& options = commands.run;
   CLI::App* sub = app.add_subcommand("run", "Run experiments and keep what they measure");
   sub->add_option("experiments", options.experiments, "Ids or globs; all without it");
-  sub->add_option("--tier", options.tier, "smoke (seconds), quick (minutes) or full")->capture_default_str();
-  sub->add_option("--seed", options.seed, "Start of the suite's own random numbers")->capture_default_str();
-  sub->add_option("--threads", options.threads, "Threads of the engines")->capture_default_str()->check(CLI::Range(1, 1024));
+  sub->add_option("--tier", options.tier, "smoke (seconds), quick (minutes) or full")
+      ->capture_default_str();
+  sub->add_option("--seed", options.seed, "Start of the suite's own random numbers")
+      ->capture_default_str();
+  sub->add_option("--threads", options.threads, "Threads of the engines")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
   sub->add_option("--out", options.out, "Folder for records and artifacts")->capture_default_str();
   sub->add_flag("--resume", options.resume, "Go on with the run in that folder");
   sub->add_flag("--dry-run", options.dry_run, "Only say what would run, and for how long");
@@ -53,8 +66,11 @@ void add_report(CLI::App& app, Commands& commands) {
   CLI::App* sub = app.add_subcommand("report", "Judge a run's records and write the report");
   sub->add_option("folder", options.folder, "Folder of a run")->required();
   sub->add_option("--out", options.out, "Folder for the report (default: <folder>/report)");
-  sub->add_option("--format", options.formats, "html, md, csv; comma-separated")->delimiter(',')->capture_default_str();
-  sub->add_flag("--without-varying", options.without_varying, "Leave out what differs between equal runs: times, machine");
+  sub->add_option("--format", options.formats, "html, md, csv; comma-separated")
+      ->delimiter(',')
+      ->capture_default_str();
+  sub->add_flag("--without-varying", options.without_varying,
+                "Leave out what differs between equal runs: times, machine");
   sub->add_flag("--strict", options.strict, "Exit with 5 if a verdict is inconclusive");
   sub->callback([&] { commands.chosen = [&] { return report(commands.report); }; });
 }
@@ -63,9 +79,13 @@ void add_grow(CLI::App& app, Commands& commands) {
   GrowOptions& options = commands.grow;
   CLI::App* sub = app.add_subcommand("grow", "Grow a tree from a parameter file");
   sub->add_option("config", options.config, "Parameters in TOML; see --example");
-  sub->add_option("--engine", options.engine, "Nearest-node engine; see phytobench list engines")->capture_default_str();
-  sub->add_option("--option", options.option, "Loop option s, d, n or dn; never changes the tree")->capture_default_str();
-  sub->add_option("--threads", options.threads, "Threads of the engine")->capture_default_str()->check(CLI::Range(1, 1024));
+  sub->add_option("--engine", options.engine, "Nearest-node engine; see phytobench list engines")
+      ->capture_default_str();
+  sub->add_option("--option", options.option, "Loop option s, d, n or dn; never changes the tree")
+      ->capture_default_str();
+  sub->add_option("--threads", options.threads, "Threads of the engine")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
   sub->add_option("--picture", options.picture, "Write the bare skeleton as SVG to this file");
   sub->add_flag("--example", options.example, "Print a parameter file with every key explained");
   sub->add_flag("--json", options.json, "One JSON document");
@@ -73,7 +93,8 @@ void add_grow(CLI::App& app, Commands& commands) {
 }
 
 void add_doctor(CLI::App& app, Commands& commands) {
-  CLI::App* sub = app.add_subcommand("doctor", "What is installed, what is missing, is this machine quiet");
+  CLI::App* sub =
+      app.add_subcommand("doctor", "What is installed, what is missing, is this machine quiet");
   sub->add_flag("--json", commands.doctor.json, "One JSON document");
   sub->callback([&] { commands.chosen = [&] { return doctor(commands.doctor); }; });
 }
@@ -85,8 +106,10 @@ std::string joined(int argc, char** argv) {
 }
 
 int run_command_line(int argc, char** argv) {
-  CLI::App app("phytobench: validation and benchmarks for computational plant models", "phytobench");
-  app.set_version_flag("--version", fmt::format("phytobench {} ({})", build_information::version, build_information::commit));
+  CLI::App app("phytobench: validation and benchmarks for computational plant models",
+               "phytobench");
+  app.set_version_flag("--version", fmt::format("phytobench {} ({})", build_information::version,
+                                                build_information::commit));
   app.require_subcommand(1);
   Commands commands;
   commands.run.command_line = joined(argc, argv);
@@ -128,7 +151,8 @@ int main(int argc, char** argv) {
   } catch (const Interrupted& error) {
     return fail(interrupted, error);
   } catch (const std::bad_alloc&) {
-    return fail(environment, EnvironmentError("out of memory; ask for fewer attraction points or free some"));
+    return fail(environment,
+                EnvironmentError("out of memory; ask for fewer attraction points or free some"));
   } catch (const std::exception& error) {
     return fail(environment, error);
   }

@@ -37,8 +37,8 @@ int run(const RunOptions& options) {
                    .command_line = options.command_line,
                    .show_progress = show_progress,
                    .is_interrupted = is_interrupted});
-  print(fmt::format("{} experiments in {}; next: phytobench report {}\n", experiments.size(), options.out,
-                    options.out));
+  print(fmt::format("{} experiments in {}; next: phytobench report {}\n", experiments.size(),
+                    options.out, options.out));
   return 0;
 }
 

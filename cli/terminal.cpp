@@ -49,7 +49,9 @@ void catch_interrupts() {
   std::signal(SIGTERM, on_interrupt);
 }
 
-bool is_interrupted() { return interrupted != 0; }
+bool is_interrupted() {
+  return interrupted != 0;
+}
 
 void print(const std::string& text) {
   clear_progress();

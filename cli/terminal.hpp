@@ -15,7 +15,8 @@ void clear_progress();
 void catch_interrupts();
 bool is_interrupted();
 
-/// Writes to standard output and throws EnvironmentError if that fails (a full disk, a closed pipe).
+/// Writes to standard output and throws EnvironmentError if that fails (a full disk, a closed
+/// pipe).
 void print(const std::string& text);
 
 }  // namespace phytobench::cli

@@ -5,7 +5,8 @@
 
 namespace phytobench {
 
-void ExperimentContext::record(const std::string& name, RecordValue value, const std::string& unit) {
+void ExperimentContext::record(const std::string& name, RecordValue value,
+                               const std::string& unit) {
   record(Record{.experiment = {}, .measurement = name, .value = std::move(value), .unit = unit});
 }
 

@@ -30,8 +30,8 @@ class ExperimentContext {
   /// A file for the run's artifacts folder.
   void artifact(const std::string& name, std::string content);
 
-  /// Says what is going on (shown on a terminal only) and throws Interrupted after Ctrl-C. Never call it
-  /// inside timed code.
+  /// Says what is going on (shown on a terminal only) and throws Interrupted after Ctrl-C. Never
+  /// call it inside timed code.
   void progress(const std::string& what);
 
   std::function<void(const std::string&)> show_progress = {};

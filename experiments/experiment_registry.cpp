@@ -12,9 +12,9 @@
 namespace phytobench {
 
 namespace experiments {
-#define EXPERIMENT(paper, name, dependency)   \
-  namespace paper {                           \
-  extern const ExperimentDescriptor name;     \
+#define EXPERIMENT(paper, name, dependency) \
+  namespace paper {                         \
+  extern const ExperimentDescriptor name;   \
   }
 #include "experiments/experiments.def"
 #undef EXPERIMENT
@@ -34,7 +34,8 @@ bool matches(const std::string& pattern, const ExperimentDescriptor& experiment)
 
 [[noreturn]] void fail_to_match(const std::string& pattern) {
   if (pattern.find_first_of("*?[") != std::string::npos)
-    throw NothingSelected("no experiment matches '" + pattern + "'; see phytobench list experiments");
+    throw NothingSelected("no experiment matches '" + pattern +
+                          "'; see phytobench list experiments");
   std::vector<std::string> ids;
   for (const ExperimentDescriptor* experiment : table) ids.emplace_back(experiment->id);
   throw InputError("unknown experiment '" + pattern + "'" + did_you_mean(pattern, ids) +
@@ -43,17 +44,21 @@ bool matches(const std::string& pattern, const ExperimentDescriptor& experiment)
 
 }  // namespace
 
-std::span<const ExperimentDescriptor* const> all_experiments() { return table; }
+std::span<const ExperimentDescriptor* const> all_experiments() {
+  return table;
+}
 
-std::vector<const ExperimentDescriptor*> selected_experiments(const std::vector<std::string>& patterns) {
+std::vector<const ExperimentDescriptor*> selected_experiments(
+    const std::vector<std::string>& patterns) {
   std::vector<const ExperimentDescriptor*> selected;
   for (const std::string& pattern : patterns)
-    if (std::none_of(table.begin(), table.end(), [&](const auto* e) { return matches(pattern, *e); }))
+    if (std::none_of(table.begin(), table.end(),
+                     [&](const auto* e) { return matches(pattern, *e); }))
       fail_to_match(pattern);
   for (const ExperimentDescriptor* experiment : table)
-    if (patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
-          return matches(pattern, *experiment);
-        }))
+    if (patterns.empty() ||
+        std::any_of(patterns.begin(), patterns.end(),
+                    [&](const std::string& pattern) { return matches(pattern, *experiment); }))
       selected.push_back(experiment);
   return selected;
 }

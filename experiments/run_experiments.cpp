@@ -16,21 +16,25 @@ double expected_seconds(const std::vector<const ExperimentDescriptor*>& experime
 
 void run_experiments(const RunRequest& request) {
   RunWriter writer(request.folder, request.header, request.mode);
-  writer.write_environment(environment_json(request.command_line, request.header.seed, request.threads));
+  writer.write_environment(
+      environment_json(request.command_line, request.header.seed, request.threads));
   std::vector<const ExperimentDescriptor*> open;
   for (const ExperimentDescriptor* experiment : request.experiments)
     if (!writer.is_complete(std::string(experiment->id))) open.push_back(experiment);
 
   for (std::size_t i = 0; i < open.size(); ++i) {
     const ExperimentDescriptor& experiment = *open[i];
-    const std::vector<const ExperimentDescriptor*> left(open.begin() + static_cast<std::ptrdiff_t>(i),
-                                                        open.end());
-    const std::string place = fmt::format("[{}/{}, about {:.0f} s left] {}", i + 1, open.size(),
-                                          expected_seconds(left, request.header.tier), experiment.id);
+    const std::vector<const ExperimentDescriptor*> left(
+        open.begin() + static_cast<std::ptrdiff_t>(i), open.end());
+    const std::string place =
+        fmt::format("[{}/{}, about {:.0f} s left] {}", i + 1, open.size(),
+                    expected_seconds(left, request.header.tier), experiment.id);
     ExperimentContext context(std::string(experiment.id), request.header.tier, request.header.seed,
                               request.threads);
     if (request.show_progress)
-      context.show_progress = [&](const std::string& what) { request.show_progress(place + ": " + what); };
+      context.show_progress = [&](const std::string& what) {
+        request.show_progress(place + ": " + what);
+      };
     context.is_interrupted = request.is_interrupted;
     context.progress("starting");
     experiment.run(context);

@@ -21,8 +21,8 @@ struct RunRequest {
   std::function<bool()> is_interrupted = {};                   ///< may be empty
 };
 
-/// Runs the experiments that are not complete yet and appends each one's records when it is done, so a
-/// broken run loses at most the running one. Throws Interrupted when asked to stop.
+/// Runs the experiments that are not complete yet and appends each one's records when it is done,
+/// so a broken run loses at most the running one. Throws Interrupted when asked to stop.
 void run_experiments(const RunRequest& request);
 
 /// Rough duration in seconds on a two-core machine.

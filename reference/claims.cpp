@@ -15,14 +15,16 @@ namespace phytobench {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> kinds = {"value",    "count",    "ratio",        "ordering",
-                                                   "exponent", "identity", "distribution", "qualitative"};
-constexpr std::array<std::string_view, 4> bases = {"paper", "author-published", "assumed", "fitted"};
-constexpr std::array<std::string_view, 6> whys = {"exact",          "printed rounding", "figure reading",
-                                                  "sampling error", "floating point",   "stated bound"};
+constexpr std::array<std::string_view, 8> kinds = {
+    "value", "count", "ratio", "ordering", "exponent", "identity", "distribution", "qualitative"};
+constexpr std::array<std::string_view, 4> bases = {"paper", "author-published", "assumed",
+                                                   "fitted"};
+constexpr std::array<std::string_view, 6> whys = {"exact",          "printed rounding",
+                                                  "figure reading", "sampling error",
+                                                  "floating point", "stated bound"};
 constexpr std::array<std::string_view, 2> origins = {"published", "derived"};
-constexpr std::array<std::string_view, 6> subjects = {"value", "ratio",  "ratio-of-ratios",
-                                                      "sum",   "same",   "different"};
+constexpr std::array<std::string_view, 6> subjects = {"value", "ratio", "ratio-of-ratios",
+                                                      "sum",   "same",  "different"};
 
 /// The text of a key, which must be one of the words.
 template <std::size_t Count>
@@ -70,7 +72,8 @@ ClaimCheck check_from(const TomlTable& table, const std::string& paper) {
   check.high = table.number_if_given("high");
   check.equals = table.number_if_given("equals");
   if (table.has("equals_text")) check.equals_text = table.text("equals_text");
-  const bool compares = check.subject == CheckSubject::same || check.subject == CheckSubject::different;
+  const bool compares =
+      check.subject == CheckSubject::same || check.subject == CheckSubject::different;
   const bool bounded = check.low || check.high || check.equals || check.equals_text;
   if (compares == bounded || check.terms.empty())
     table.fail("a check needs terms, and bounds unless it is 'same' or 'different'");
@@ -89,7 +92,8 @@ Claim claim_from(const TomlTable& table, const std::string& paper) {
   claim.id = table.text("id");
   if (claim.id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789./_-") != std::string::npos ||
       !claim.id.starts_with(paper + "/"))
-    table.fail(fmt::format("id '{}' must start with '{}/' and use only a-z 0-9 . / _ -", claim.id, paper));
+    table.fail(
+        fmt::format("id '{}' must start with '{}/' and use only a-z 0-9 . / _ -", claim.id, paper));
   claim.paper = paper;
   claim.locator = table.text("locator");
   claim.kind = kinds[word(table, "kind", kinds)];
@@ -102,7 +106,8 @@ Claim claim_from(const TomlTable& table, const std::string& paper) {
   claim.expected_verdict = verdict_of(table, "expected_verdict");
   claim.erratum = table.text_or("erratum", "");
   claim.reason = table.text("reason");
-  for (const TomlTable& check : table.tables("check")) claim.checks.push_back(check_from(check, paper));
+  for (const TomlTable& check : table.tables("check"))
+    claim.checks.push_back(check_from(check, paper));
   if (table.has("verdict")) claim.fixed_verdict = verdict_of(table, "verdict");
   if (claim.fixed_verdict.has_value() != claim.checks.empty())
     table.fail("a claim has either checks or a fixed verdict");
@@ -112,8 +117,7 @@ Claim claim_from(const TomlTable& table, const std::string& paper) {
 
 PublishedTable published_table_from(const TomlTable& table, const std::string& paper) {
   table.allow_only({"id", "title", "unit", "note", "rows", "columns", "row_labels", "column_labels",
-                    "measurement", "values", "companions", "per", "origin",
-                    "discussion"});
+                    "measurement", "values", "companions", "per", "origin", "discussion"});
   PublishedTable result{.id = table.text("id"),
                         .paper = paper,
                         .title = table.text("title"),
@@ -133,8 +137,9 @@ PublishedTable published_table_from(const TomlTable& table, const std::string& p
   const bool fits = result.values.size() == result.rows.size() &&
                     result.row_labels.size() == result.rows.size() &&
                     result.column_labels.size() == result.columns.size() &&
-                    std::all_of(result.values.begin(), result.values.end(),
-                                [&](const auto& row) { return row.size() == result.columns.size(); });
+                    std::all_of(result.values.begin(), result.values.end(), [&](const auto& row) {
+                      return row.size() == result.columns.size();
+                    });
   if (!fits) table.fail("rows, columns, labels and values of the table do not fit together");
   return result;
 }
@@ -148,13 +153,20 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 std::string_view name_of(Verdict verdict) {
   switch (verdict) {
-    case Verdict::reproduced: return "reproduced";
-    case Verdict::reproduced_with_erratum: return "reproduced with erratum";
-    case Verdict::not_reproduced: return "not reproduced";
-    case Verdict::inconclusive: return "inconclusive";
-    case Verdict::not_comparable: return "not comparable";
-    case Verdict::underspecified: return "underspecified";
-    case Verdict::not_measured: return "not measured";
+    case Verdict::reproduced:
+      return "reproduced";
+    case Verdict::reproduced_with_erratum:
+      return "reproduced with erratum";
+    case Verdict::not_reproduced:
+      return "not reproduced";
+    case Verdict::inconclusive:
+      return "inconclusive";
+    case Verdict::not_comparable:
+      return "not comparable";
+    case Verdict::underspecified:
+      return "underspecified";
+    case Verdict::not_measured:
+      return "not measured";
   }
   return "unknown";
 }

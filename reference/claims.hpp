@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a paper claims (reference/papers/<key>/claims.toml). Only reports/ and tests may include this: no
-// experiment can be tuned to a number it cannot see.
+// What a paper claims (reference/papers/<key>/claims.toml). Only reports/ and tests may include
+// this: no experiment can be tuned to a number it cannot see.
 #pragma once
 
 #include <optional>
@@ -22,8 +22,8 @@ enum class Verdict {
   not_measured,
 };
 inline constexpr Verdict all_verdicts[] = {
-    Verdict::reproduced,     Verdict::reproduced_with_erratum, Verdict::not_reproduced,
-    Verdict::inconclusive,   Verdict::not_comparable,          Verdict::underspecified,
+    Verdict::reproduced,   Verdict::reproduced_with_erratum, Verdict::not_reproduced,
+    Verdict::inconclusive, Verdict::not_comparable,          Verdict::underspecified,
     Verdict::not_measured};
 
 /// "reproduced with erratum", ...: always words.
@@ -78,10 +78,11 @@ struct PublishedTable {
   std::string note;
   std::vector<std::string> rows, columns, row_labels, column_labels;
   std::string measurement;  ///< pattern with {row} and {column}, full id
-  std::vector<std::string> companions;  ///< other quantities of the same cells: last part of their ids
-  std::string per;                      ///< companion the values are also divided by; empty: none
-  std::string origin;                   ///< "published" or "derived" (by us, before the run)
-  std::string discussion;               ///< why ours differs, in our words; empty: nothing to say
+  std::vector<std::string>
+      companions;          ///< other quantities of the same cells: last part of their ids
+  std::string per;         ///< companion the values are also divided by; empty: none
+  std::string origin;      ///< "published" or "derived" (by us, before the run)
+  std::string discussion;  ///< why ours differs, in our words; empty: nothing to say
   std::vector<std::vector<double>> values;
 
   std::string measurement_at(std::size_t row, std::size_t column) const;
@@ -93,8 +94,8 @@ struct PaperClaims {
   std::vector<PublishedTable> tables;
 };
 
-/// Throws InputError with file and line for a missing or unknown key, an unknown word, a duplicate id, a
-/// claim with neither checks nor fixed verdict, or a check without bounds.
+/// Throws InputError with file and line for a missing or unknown key, an unknown word, a duplicate
+/// id, a claim with neither checks nor fixed verdict, or a check without bounds.
 PaperClaims load_claims(const std::string& paper);
 
 /// The same from a file; `paper` prefixes the measurements.

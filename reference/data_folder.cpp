@@ -18,7 +18,8 @@ fs::path data_folder() {
   }
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  for (fs::path folder = program.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+  for (fs::path folder = program.parent_path(); folder.has_relative_path();
+       folder = folder.parent_path())
     if (fs::is_directory(folder / "share" / "papers")) return folder / "share";
   throw EnvironmentError("no folder share/papers beside " + program.string() +
                          "; build again, or set PHYTOBENCH_DATA to the share folder of a build");

@@ -6,8 +6,8 @@
 
 namespace phytobench {
 
-/// The folder with the paper files and report templates: $PHYTOBENCH_DATA, or `share` beside the program.
-/// Throws EnvironmentError if neither is there.
+/// The folder with the paper files and report templates: $PHYTOBENCH_DATA, or `share` beside the
+/// program. Throws EnvironmentError if neither is there.
 std::filesystem::path data_folder();
 
 /// The folder of one paper. Throws InputError for an unknown key.

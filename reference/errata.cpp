@@ -41,7 +41,8 @@ Erratum erratum_from(const TomlTable& table, const std::string& paper) {
 
 std::vector<Erratum> load_errata(const std::string& paper) {
   std::vector<Erratum> errata;
-  for (const TomlTable& table : TomlTable::read(paper_folder(paper) / "errata.toml").tables("erratum"))
+  for (const TomlTable& table :
+       TomlTable::read(paper_folder(paper) / "errata.toml").tables("erratum"))
     errata.push_back(erratum_from(table, paper));
   return errata;
 }

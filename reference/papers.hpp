@@ -8,7 +8,7 @@ namespace phytobench {
 
 /// A work under validation (reference/papers/<key>/paper.toml).
 struct Paper {
-  std::string key;      ///< as cited in the code: [Brzoska2019] has the key brzoska2019
+  std::string key;  ///< as cited in the code: [Brzoska2019] has the key brzoska2019
   std::string title;
   std::string author;
   std::string year;

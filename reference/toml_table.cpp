@@ -40,29 +40,33 @@ struct TomlTable::Node {
   }
 
   template <class Value>
-  std::vector<Value> values(const toml::node& node, const std::string& key, const char* wanted) const {
+  std::vector<Value> values(const toml::node& node, const std::string& key,
+                            const char* wanted) const {
     std::vector<Value> result;
-    for (const toml::node& element : list(node, key)) result.push_back(value<Value>(element, key, wanted));
+    for (const toml::node& element : list(node, key))
+      result.push_back(value<Value>(element, key, wanted));
     return result;
   }
 
   template <class Value>
   std::vector<std::vector<Value>> value_lists(const std::string& key, const char* wanted) const {
     std::vector<std::vector<Value>> result;
-    for (const toml::node& element : list(at(key), key)) result.push_back(values<Value>(element, key, wanted));
+    for (const toml::node& element : list(at(key), key))
+      result.push_back(values<Value>(element, key, wanted));
     return result;
   }
 };
 
 TomlTable TomlTable::read(const std::filesystem::path& file) {
   try {
-    auto root = std::make_shared<const toml::table>(toml::parse(read_text_file(file), file.string()));
+    auto root =
+        std::make_shared<const toml::table>(toml::parse(read_text_file(file), file.string()));
     const toml::table* table = root.get();
     return TomlTable(std::make_shared<const Node>(Node{file.string(), std::move(root), table}));
   } catch (const toml::parse_error& error) {
     const auto& where = error.source().begin;
-    throw InputError(fmt::format("{}:{}:{}: not valid TOML: {}", file.string(), where.line, where.column,
-                                 error.description()));
+    throw InputError(fmt::format("{}:{}:{}: not valid TOML: {}", file.string(), where.line,
+                                 where.column, error.description()));
   }
 }
 
@@ -112,18 +116,22 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
   const toml::array* array = node.as_array();
   if (array == nullptr) node_->fail(node, fmt::format("'{}' must be a list of tables", key));
   for (const toml::node& element : *array) {
-    if (element.as_table() == nullptr) node_->fail(element, fmt::format("'{}' must hold tables", key));
-    result.push_back(
-        TomlTable(std::make_shared<const Node>(Node{node_->file, node_->root, element.as_table()})));
+    if (element.as_table() == nullptr)
+      node_->fail(element, fmt::format("'{}' must hold tables", key));
+    result.push_back(TomlTable(
+        std::make_shared<const Node>(Node{node_->file, node_->root, element.as_table()})));
   }
   return result;
 }
 
-bool TomlTable::has(const std::string& key) const { return node_->table->contains(key); }
+bool TomlTable::has(const std::string& key) const {
+  return node_->table->contains(key);
+}
 
 std::vector<std::string> TomlTable::keys() const {
   std::vector<std::pair<toml::source_position, std::string>> found;
-  for (const auto& [key, node] : *node_->table) found.push_back({node.source().begin, std::string(key.str())});
+  for (const auto& [key, node] : *node_->table)
+    found.push_back({node.source().begin, std::string(key.str())});
   std::sort(found.begin(), found.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> names;
@@ -131,7 +139,9 @@ std::vector<std::string> TomlTable::keys() const {
   return names;
 }
 
-void TomlTable::fail(const std::string& problem) const { node_->fail(*node_->table, problem); }
+void TomlTable::fail(const std::string& problem) const {
+  node_->fail(*node_->table, problem);
+}
 
 void TomlTable::allow_only(const std::vector<std::string>& known) const {
   for (const auto& [key, node] : *node_->table) {

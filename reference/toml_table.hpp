@@ -9,8 +9,8 @@
 
 namespace phytobench {
 
-/// A TOML table of a paper file with checked access: a missing or wrong entry is an InputError that names
-/// file, line and key. Hides the TOML library.
+/// A TOML table of a paper file with checked access: a missing or wrong entry is an InputError that
+/// names file, line and key. Hides the TOML library.
 class TomlTable {
  public:
   static TomlTable read(const std::filesystem::path& file);

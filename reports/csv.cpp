@@ -32,14 +32,15 @@ std::string csv_line(const std::vector<std::string>& fields) {
 }
 
 std::string claims_csv(const JudgedRun& judged, bool without_varying) {
-  std::string csv = csv_line(
-      {"id", "locator", "kind", "verdict", "basis", "published", "measured", "expected_verdict", "reason"});
+  std::string csv = csv_line({"id", "locator", "kind", "verdict", "basis", "published", "measured",
+                              "expected_verdict", "reason"});
   for (const JudgedPaper& paper : judged.papers)
     for (const Judgement& judgement : paper.judgements) {
       const Claim& claim = *judgement.claim;
       const bool hidden = without_varying && judgement.varies;
-      csv += csv_line({claim.id, claim.locator, claim.kind, hidden ? "" : std::string(name_of(judgement.verdict)),
-                       claim.basis, claim.published, hidden ? "" : judgement.measured,
+      csv += csv_line({claim.id, claim.locator, claim.kind,
+                       hidden ? "" : std::string(name_of(judgement.verdict)), claim.basis,
+                       claim.published, hidden ? "" : judgement.measured,
                        std::string(name_of(claim.expected_verdict)), judgement.reason});
     }
   return csv;
@@ -48,7 +49,8 @@ std::string claims_csv(const JudgedRun& judged, bool without_varying) {
 std::string records_csv(const RunContents& run) {
   std::string csv = csv_line({"measurement", "value", "unit", "n", "seed"});
   for (const Record& record : run.records)
-    csv += csv_line({record.measurement, exact(record.value), record.unit, std::to_string(record.sample_size),
+    csv += csv_line({record.measurement, exact(record.value), record.unit,
+                     std::to_string(record.sample_size),
                      record.seed ? std::to_string(*record.seed) : ""});
   return csv;
 }

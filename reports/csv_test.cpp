@@ -130,10 +130,8 @@ JudgedRun small_judged_run() {
   timed.basis = "assumed";
   timed.published = "2";
   timed.expected_verdict = Verdict::not_reproduced;
-  paper.judgements.push_back({.claim = &exact,
-                              .verdict = Verdict::reproduced,
-                              .measured = "5",
-                              .reason = "exact"});
+  paper.judgements.push_back(
+      {.claim = &exact, .verdict = Verdict::reproduced, .measured = "5", .reason = "exact"});
   paper.judgements.push_back({.claim = &timed,
                               .verdict = Verdict::inconclusive,
                               .measured = "2.1 [1.9, 2.3]",
@@ -147,9 +145,9 @@ TEST(ClaimsCsv, HoldsOneRowPerClaim) {
   const JudgedRun judged = small_judged_run();
   const auto rows = rows_of(claims_csv(judged, false));
   ASSERT_EQ(rows.size(), 3u);
-  EXPECT_EQ(rows[0], (std::vector<std::string>{"id", "locator", "kind", "verdict", "basis",
-                                               "published", "measured", "expected_verdict",
-                                               "reason"}));
+  EXPECT_EQ(rows[0],
+            (std::vector<std::string>{"id", "locator", "kind", "verdict", "basis", "published",
+                                      "measured", "expected_verdict", "reason"}));
   EXPECT_EQ(rows[1],
             (std::vector<std::string>{"p/exact", "eq. 1, sec. 2", "count", "reproduced", "paper",
                                       "5 \"edges\"", "5", "reproduced", "exact"}));

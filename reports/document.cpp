@@ -22,7 +22,9 @@ constexpr const char* bases[] = {"paper", "author-published", "assumed", "fitted
 class DocumentBuilder {
  public:
   DocumentBuilder(const JudgedRun& judged, const DocumentSources& sources)
-      : judged_(judged), sources_(sources), environment_(ordered_json::parse(sources.environment_json)) {}
+      : judged_(judged),
+        sources_(sources),
+        environment_(ordered_json::parse(sources.environment_json)) {}
 
   ordered_json build() {
     ordered_json document;
@@ -40,7 +42,9 @@ class DocumentBuilder {
   }
 
  private:
-  bool hidden(const Judgement& judgement) const { return sources_.without_varying && judgement.varies; }
+  bool hidden(const Judgement& judgement) const {
+    return sources_.without_varying && judgement.varies;
+  }
 
   ordered_json run_part() const {
     const RunHeader& header = judged_.run.header;
@@ -127,27 +131,34 @@ class DocumentBuilder {
     part["kind"] = judged.paper.kind;
     part["summary"] = judged.paper.summary;
     part["tables"] = ordered_json::array();
-    for (const JudgedTable& table : judged.tables) part["tables"].push_back(table_document(table, sources_.without_varying));
+    for (const JudgedTable& table : judged.tables)
+      part["tables"].push_back(table_document(table, sources_.without_varying));
     part["pictures"] = ordered_json::array();
     for (const auto& [name, svg] : sources_.pictures)
-      if (name.starts_with(judged.paper.key + "/")) part["pictures"].push_back({{"name", name}, {"svg", svg}});
+      if (name.starts_with(judged.paper.key + "/"))
+        part["pictures"].push_back({{"name", name}, {"svg", svg}});
     part["claims"] = ordered_json::array();
-    for (const Judgement& judgement : judged.judgements) part["claims"].push_back(claim_document(judgement, hidden(judgement)));
+    for (const Judgement& judgement : judged.judgements)
+      part["claims"].push_back(claim_document(judgement, hidden(judgement)));
     part["errata"] = ordered_json::array();
     for (const Erratum& erratum : judged.errata) part["errata"].push_back(erratum_part(erratum));
     return part;
   }
 
   static ordered_json erratum_part(const Erratum& erratum) {
-    ordered_json part{{"id", erratum.id},           {"locator", erratum.locator},
-                      {"printed", erratum.printed}, {"corrected", erratum.corrected},
-                      {"consequence", erratum.consequence}, {"confidence", erratum.confidence},
+    ordered_json part{{"id", erratum.id},
+                      {"locator", erratum.locator},
+                      {"printed", erratum.printed},
+                      {"corrected", erratum.corrected},
+                      {"consequence", erratum.consequence},
+                      {"confidence", erratum.confidence},
                       {"has_example", erratum.counter_example.has_value()}};
     if (!erratum.counter_example) return part;
     const CounterExample& example = *erratum.counter_example;
     part["example"] = fmt::format("{}({}): printed form {}, corrected form {}", example.oracle,
                                   fmt::join(example.arguments, ", "),
-                                  example.printed ? shown(*example.printed) : "undefined", shown(example.corrected));
+                                  example.printed ? shown(*example.printed) : "undefined",
+                                  shown(example.corrected));
     return part;
   }
 
@@ -157,7 +168,8 @@ class DocumentBuilder {
     for (const auto& [key, value] : environment_.items()) {
       if (key == "schema") continue;
       if (value.is_object())
-        for (const auto& [inner, inner_value] : value.items()) add_fact(rows, key + ": " + inner, inner_value);
+        for (const auto& [inner, inner_value] : value.items())
+          add_fact(rows, key + ": " + inner, inner_value);
       else
         add_fact(rows, key, value);
     }
@@ -169,14 +181,16 @@ class DocumentBuilder {
     std::string text = value.is_string() ? value.get<std::string>() : value.dump();
     if (value.is_array()) {
       text.clear();
-      for (const ordered_json& element : value) text += (text.empty() ? "" : ", ") + element.get<std::string>();
+      for (const ordered_json& element : value)
+        text += (text.empty() ? "" : ", ") + element.get<std::string>();
     }
     rows.push_back({{"name", name}, {"value", text}});
   }
 
   ordered_json repeat_part() const {
     const RunHeader& header = judged_.run.header;
-    return {{"run", fmt::format("phytobench run --tier {} --seed {} --out results", name_of(header.tier), header.seed)},
+    return {{"run", fmt::format("phytobench run --tier {} --seed {} --out results",
+                                name_of(header.tier), header.seed)},
             {"report", "phytobench report results"}};
   }
 
@@ -189,9 +203,9 @@ class DocumentBuilder {
           for (const std::string& part : term)
             mentioned[check.subject == CheckSubject::sum ? part.substr(1) : part] = true;
     });
-    return static_cast<std::size_t>(
-        std::count_if(judged_.run.records.begin(), judged_.run.records.end(),
-                      [&](const Record& record) { return !mentioned.contains(record.measurement); }));
+    return static_cast<std::size_t>(std::count_if(
+        judged_.run.records.begin(), judged_.run.records.end(),
+        [&](const Record& record) { return !mentioned.contains(record.measurement); }));
   }
 
   const JudgedRun& judged_;

@@ -13,12 +13,13 @@ namespace phytobench {
 /// What is added to the judged run from the run's folder.
 struct DocumentSources {
   std::string environment_json;
-  std::string run_folder;                             ///< as the user named it, for the repeat commands
-  std::map<std::string, std::string> pictures;        ///< artifact name -> SVG text
+  std::string run_folder;                       ///< as the user named it, for the repeat commands
+  std::map<std::string, std::string> pictures;  ///< artifact name -> SVG text
   bool without_varying = false;
 };
 
-/// The one document model: everything a report says, ready for the templates. The templates only arrange.
+/// The one document model: everything a report says, ready for the templates. The templates only
+/// arrange.
 nlohmann::ordered_json make_document(const JudgedRun& judged, const DocumentSources& sources);
 
 }  // namespace phytobench

@@ -23,10 +23,14 @@ std::string slug(std::string text) {
 
 std::string outcome_word(CheckOutcome outcome) {
   switch (outcome) {
-    case CheckOutcome::holds: return "holds";
-    case CheckOutcome::fails: return "fails";
-    case CheckOutcome::undecided: return "undecided";
-    case CheckOutcome::missing: return "not measured";
+    case CheckOutcome::holds:
+      return "holds";
+    case CheckOutcome::fails:
+      return "fails";
+    case CheckOutcome::undecided:
+      return "undecided";
+    case CheckOutcome::missing:
+      return "not measured";
   }
   return "";
 }
@@ -40,7 +44,8 @@ std::vector<std::string> experiments_of(const Claim& claim) {
         const std::size_t start = check.subject == CheckSubject::sum ? 1 : 0;
         const std::size_t second = part.find('/', part.find('/') + 1);
         const std::string id = part.substr(start, second - start);
-        if (std::find(experiments.begin(), experiments.end(), id) == experiments.end()) experiments.push_back(id);
+        if (std::find(experiments.begin(), experiments.end(), id) == experiments.end())
+          experiments.push_back(id);
       }
   return experiments;
 }
@@ -48,7 +53,8 @@ std::vector<std::string> experiments_of(const Claim& claim) {
 ordered_json checks_part(const Judgement& judgement) {
   ordered_json checks = ordered_json::array();
   for (const JudgedCheck& check : judgement.checks) {
-    ordered_json row{{"wanted", check.wanted}, {"why", check.why}, {"outcome", outcome_word(check.outcome)}};
+    ordered_json row{
+        {"wanted", check.wanted}, {"why", check.why}, {"outcome", outcome_word(check.outcome)}};
     for (const JudgedTerm& term : check.terms)
       row["terms"].push_back({{"expression", term.expression},
                               {"measured", term.measured},
@@ -75,7 +81,9 @@ ordered_json problems_part(const Judgement& judgement) {
 
 }  // namespace
 
-std::string verdict_class(Verdict verdict) { return slug(std::string(name_of(verdict))); }
+std::string verdict_class(Verdict verdict) {
+  return slug(std::string(name_of(verdict)));
+}
 
 ordered_json claim_document(const Judgement& judgement, bool hidden) {
   const Claim& claim = *judgement.claim;

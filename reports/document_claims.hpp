@@ -12,8 +12,8 @@ namespace phytobench {
 /// The verdict as a CSS class.
 std::string verdict_class(Verdict verdict);
 
-/// Everything a report says about one claim. A hidden one (it rests on times that are left out) keeps
-/// only what does not vary.
+/// Everything a report says about one claim. A hidden one (it rests on times that are left out)
+/// keeps only what does not vary.
 nlohmann::ordered_json claim_document(const Judgement& judgement, bool hidden);
 
 }  // namespace phytobench

@@ -53,8 +53,9 @@ class TableDocument {
     document_["hidden"] = judged_.timed && hide_times_;
     document_["grids"] = ordered_json::array();
     const bool published = table_.origin == "published";
-    add_grid(published ? "Published" : "Derived beforehand", published ? "as printed" : "with an independent program",
-             false, [&](auto r, auto c) { return cell(shown(table_.values[r][c])); });
+    add_grid(published ? "Published" : "Derived beforehand",
+             published ? "as printed" : "with an independent program", false,
+             [&](auto r, auto c) { return cell(shown(table_.values[r][c])); });
     if (visible) add_measured();
     for (const JudgedCompanion& companion : judged_.companions)
       if (!companion.timed || !hide_times_) add_companion(companion);
@@ -64,20 +65,26 @@ class TableDocument {
  private:
   void add_measured() {
     if (!judged_.timed) {
-      add_grid("Measured", "", false, [&](auto r, auto c) { return cell(shown(judged_.values[r][c].value)); });
+      add_grid("Measured", "", false,
+               [&](auto r, auto c) { return cell(shown(judged_.values[r][c].value)); });
       return;
     }
     add_grid("Measured", "seconds, median and its 95 % interval", true,
              [&](auto r, auto c) { return estimate_cell(judged_.values[r][c], 4); });
-    add_grid("Published, relative", "to the slowest published cell", false,
-             [&](auto r, auto c) { return cell(fmt::format("{:.3f}", judged_.published_share[r][c])); });
+    add_grid("Published, relative", "to the slowest published cell", false, [&](auto r, auto c) {
+      return cell(fmt::format("{:.3f}", judged_.published_share[r][c]));
+    });
     add_grid("Measured, relative", "to the slowest measured cell, paired by round", true,
              [&](auto r, auto c) { return estimate_cell(judged_.share[r][c], 3); });
     if (judged_.published_per.empty()) return;
-    add_grid("Published, per evaluation", "nanoseconds: printed seconds over the evaluations counted below", false,
-             [&](auto r, auto c) { return cell(fmt::format("{:.0f}", 1e9 * judged_.published_per[r][c])); });
-    add_grid("Measured, per evaluation", "nanoseconds", true,
-             [&](auto r, auto c) { return cell(fmt::format("{:.2f}", 1e9 * judged_.measured_per[r][c])); });
+    add_grid("Published, per evaluation",
+             "nanoseconds: printed seconds over the evaluations counted below", false,
+             [&](auto r, auto c) {
+               return cell(fmt::format("{:.0f}", 1e9 * judged_.published_per[r][c]));
+             });
+    add_grid("Measured, per evaluation", "nanoseconds", true, [&](auto r, auto c) {
+      return cell(fmt::format("{:.2f}", 1e9 * judged_.measured_per[r][c]));
+    });
   }
 
   void add_companion(const JudgedCompanion& companion) {
@@ -89,11 +96,14 @@ class TableDocument {
   }
 
   template <class Cell>
-  void add_grid(const std::string& title, const std::string& note, bool varies, const Cell& make_cell) {
-    ordered_json grid{{"title", title}, {"note", note}, {"varies", varies}, {"columns", table_.column_labels}};
+  void add_grid(const std::string& title, const std::string& note, bool varies,
+                const Cell& make_cell) {
+    ordered_json grid{
+        {"title", title}, {"note", note}, {"varies", varies}, {"columns", table_.column_labels}};
     for (std::size_t row = 0; row < table_.rows.size(); ++row) {
       ordered_json cells = ordered_json::array();
-      for (std::size_t column = 0; column < table_.columns.size(); ++column) cells.push_back(make_cell(row, column));
+      for (std::size_t column = 0; column < table_.columns.size(); ++column)
+        cells.push_back(make_cell(row, column));
       grid["rows"].push_back({{"label", table_.row_labels[row]}, {"cells", cells}});
     }
     document_["grids"].push_back(grid);

@@ -24,7 +24,8 @@ data mustache_data(const ordered_json& json) {
     for (const ordered_json& element : json) list.push_back(mustache_data(element));
     return list;
   }
-  if (json.is_boolean()) return data{json.get<bool>() ? data::type::bool_true : data::type::bool_false};
+  if (json.is_boolean())
+    return data{json.get<bool>() ? data::type::bool_true : data::type::bool_false};
   return data{json.is_string() ? json.get<std::string>() : json.dump()};
 }
 
@@ -32,11 +33,20 @@ std::string escaped_for_html(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
     switch (c) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      default: escaped += c;
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
     }
   }
   return escaped;
@@ -50,7 +60,8 @@ std::string escaped_for_markdown(const std::string& text) {
       escaped += ' ';
       continue;
     }
-    if (c == '|' || c == '*' || c == '_' || c == '`' || c == '<' || c == '[' || c == ']') escaped += '\\';
+    if (c == '|' || c == '*' || c == '_' || c == '`' || c == '<' || c == '[' || c == ']')
+      escaped += '\\';
     escaped += c;
   }
   return escaped;
@@ -58,7 +69,8 @@ std::string escaped_for_markdown(const std::string& text) {
 
 }  // namespace
 
-std::string render_template(const std::string& text, const ordered_json& document, EscapeFor format) {
+std::string render_template(const std::string& text, const ordered_json& document,
+                            EscapeFor format) {
   kainjow::mustache::mustache tmpl(text);
   if (!tmpl.is_valid()) throw ContractViolation("broken report template: " + tmpl.error_message());
   tmpl.set_custom_escape(format == EscapeFor::html ? escaped_for_html : escaped_for_markdown);

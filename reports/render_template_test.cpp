@@ -86,8 +86,8 @@ TEST(RenderTemplate, ShowsNumbersAndObjects) {
 
 TEST(RenderTemplate, RefusesABrokenTemplate) {
   const ordered_json document = document_with("a");
-  for (const char* broken : {"{{#x}} never closed", "{{x", "{{{x}}", "closed {{/x}} only",
-                             "{{#x}}{{#y}}{{/x}}{{/y}}"}) {
+  for (const char* broken :
+       {"{{#x}} never closed", "{{x", "{{{x}}", "closed {{/x}} only", "{{#x}}{{#y}}{{/x}}{{/y}}"}) {
     EXPECT_THROW(html(broken, document), ContractViolation) << broken;
     EXPECT_THROW(markdown(broken, document), ContractViolation) << broken;
   }

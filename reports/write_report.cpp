@@ -71,11 +71,12 @@ ReportSummary summary_of(const JudgedRun& judged) {
       if (!judgement.is_unexpected()) continue;
       ++summary.unexpected;
       unexpected += fmt::format("unexpected: {} is '{}', expected '{}' ({})\n", judgement.claim->id,
-                                name_of(judgement.verdict), name_of(judgement.claim->expected_verdict),
-                                judgement.measured);
+                                name_of(judgement.verdict),
+                                name_of(judgement.claim->expected_verdict), judgement.measured);
     }
   for (const Verdict verdict : all_verdicts)
-    if (counts[verdict] > 0) summary.text += fmt::format("{:4}  {}\n", counts[verdict], name_of(verdict));
+    if (counts[verdict] > 0)
+      summary.text += fmt::format("{:4}  {}\n", counts[verdict], name_of(verdict));
   summary.text += unexpected;
   return summary;
 }
@@ -89,24 +90,30 @@ std::string load_template(const std::string& name) {
 ReportSummary write_report(const ReportRequest& request) {
   check_formats(request.formats);
   const JudgedRun judged = judge_run(read_run(request.run_folder));
-  const ordered_json document = make_document(judged, {.environment_json = read_environment(request.run_folder),
-                                                       .run_folder = request.run_folder.string(),
-                                                       .pictures = pictures_of(request.run_folder),
-                                                       .without_varying = request.without_varying});
+  const ordered_json document =
+      make_document(judged, {.environment_json = read_environment(request.run_folder),
+                             .run_folder = request.run_folder.string(),
+                             .pictures = pictures_of(request.run_folder),
+                             .without_varying = request.without_varying});
   const auto wanted = [&](const char* format) {
-    return std::find(request.formats.begin(), request.formats.end(), format) != request.formats.end();
+    return std::find(request.formats.begin(), request.formats.end(), format) !=
+           request.formats.end();
   };
   if (wanted("html"))
-    write_file_atomically(request.out_folder / "index.html",
-                          render_template(load_template("report.html.mustache"), document, EscapeFor::html));
+    write_file_atomically(
+        request.out_folder / "index.html",
+        render_template(load_template("report.html.mustache"), document, EscapeFor::html));
   if (wanted("md"))
-    write_file_atomically(request.out_folder / "report.md",
-                          render_template(load_template("report.md.mustache"), document, EscapeFor::markdown));
+    write_file_atomically(
+        request.out_folder / "report.md",
+        render_template(load_template("report.md.mustache"), document, EscapeFor::markdown));
   if (wanted("csv")) {
-    write_file_atomically(request.out_folder / "claims.csv", claims_csv(judged, request.without_varying));
+    write_file_atomically(request.out_folder / "claims.csv",
+                          claims_csv(judged, request.without_varying));
     write_file_atomically(request.out_folder / "records.csv", records_csv(judged.run));
   }
-  write_file_atomically(request.out_folder / "verdicts.json", verdicts_json(judged, request.without_varying));
+  write_file_atomically(request.out_folder / "verdicts.json",
+                        verdicts_json(judged, request.without_varying));
   return summary_of(judged);
 }
 

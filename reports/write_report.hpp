@@ -15,13 +15,13 @@ struct ReportRequest {
 };
 
 struct ReportSummary {
-  std::string text;              ///< a few lines for the terminal
-  std::size_t unexpected = 0;    ///< verdicts that differ from the expected one
+  std::string text;            ///< a few lines for the terminal
+  std::size_t unexpected = 0;  ///< verdicts that differ from the expected one
   std::size_t inconclusive = 0;
 };
 
-/// Judges a run and writes verdicts.json and the formats asked for. Throws InputError for an unknown format or
-/// a folder without records.
+/// Judges a run and writes verdicts.json and the formats asked for. Throws InputError for an
+/// unknown format or a folder without records.
 ReportSummary write_report(const ReportRequest& request);
 
 }  // namespace phytobench

@@ -17,7 +17,8 @@ class KillsTooFew final : public NearestNodeEngine {
   Assignment associate(std::span<const SearchableNode> new_nodes) override {
     return inner_->associate(new_nodes);
   }
-  std::span<const PointIndex> kill(std::span<const SearchableNode> killers, double distance) override {
+  std::span<const PointIndex> kill(std::span<const SearchableNode> killers,
+                                   double distance) override {
     const auto removed = inner_->kill(killers, distance);
     return removed.empty() ? removed : removed.subspan(1);
   }
@@ -28,7 +29,9 @@ class KillsTooFew final : public NearestNodeEngine {
   std::unique_ptr<NearestNodeEngine> inner_;
 };
 
-std::unique_ptr<NearestNodeEngine> create() { return std::make_unique<KillsTooFew>(); }
+std::unique_ptr<NearestNodeEngine> create() {
+  return std::make_unique<KillsTooFew>();
+}
 
 }  // namespace
 

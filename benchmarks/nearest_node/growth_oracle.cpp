@@ -14,7 +14,9 @@ namespace {
 using oracles::brzoska2019::GrownTree;
 using oracles::brzoska2019::Point;
 
-Point in_oracle_words(const Vector3& v) { return {v.x, v.y, v.z}; }
+Point in_oracle_words(const Vector3& v) {
+  return {v.x, v.y, v.z};
+}
 
 /// Thrown out of the growth loop at the first wrong answer.
 struct Disagreement {
@@ -37,20 +39,23 @@ class CheckingEngine final : public NearestNodeEngine {
     if (iteration_ >= truth_.passes.size())
       throw Disagreement{fmt::format("iteration {}: the oracle had stopped before it", iteration_)};
     if (answer.node.size() != points_.size() || answer.squared_distance.size() != points_.size())
-      throw Disagreement{fmt::format("iteration {}: the answer does not cover every point", iteration_)};
+      throw Disagreement{
+          fmt::format("iteration {}: the answer does not cover every point", iteration_)};
     for (std::size_t point = 0; point < points_.size(); ++point) compare(answer, point);
     ++iteration_;
     return answer;
   }
 
-  std::span<const PointIndex> kill(std::span<const SearchableNode> killers, double distance) override {
+  std::span<const PointIndex> kill(std::span<const SearchableNode> killers,
+                                   double distance) override {
     const auto removed = inner_.kill(killers, distance);
     if (removals_ >= truth_.removals.size())
       throw Disagreement{fmt::format("removal {}: the oracle made none", removals_)};
     const auto& expected = truth_.removals[removals_];
     if (!std::equal(removed.begin(), removed.end(), expected.begin(), expected.end()))
-      throw Disagreement{fmt::format("removal {}: {} points removed, the oracle removed {} (or others)",
-                                     removals_, removed.size(), expected.size())};
+      throw Disagreement{
+          fmt::format("removal {}: {} points removed, the oracle removed {} (or others)", removals_,
+                      removed.size(), expected.size())};
     ++removals_;
     return removed;
   }
@@ -67,7 +72,8 @@ class CheckingEngine final : public NearestNodeEngine {
         given == no_node || (known && answer.squared_distance[point] == distance(point, given));
     if (given == expected && right_distance) return;
     throw Disagreement{fmt::format(
-        "iteration {}, point {}: node {} at squared distance {} claimed ({} recomputed), the oracle has node {} "
+        "iteration {}, point {}: node {} at squared distance {} claimed ({} recomputed), the "
+        "oracle has node {} "
         "at {}",
         iteration_, point, given, given == no_node ? 0.0 : answer.squared_distance[point],
         known ? distance(point, given) : -1.0, expected, distance(point, expected))};
@@ -88,9 +94,11 @@ class CheckingEngine final : public NearestNodeEngine {
 
 std::string hash_of(const Seedling& seedling, const GrownTree& tree) {
   Skeleton whole = seedling.skeleton;
-  const std::size_t start = seedling.skeleton.node_count() - static_cast<std::size_t>(seedling.crown_root);
+  const std::size_t start =
+      seedling.skeleton.node_count() - static_cast<std::size_t>(seedling.crown_root);
   for (std::size_t i = start; i < tree.nodes.size(); ++i)
-    whole.append(seedling.crown_root + tree.parents[i], {tree.nodes[i].x, tree.nodes[i].y, tree.nodes[i].z});
+    whole.append(seedling.crown_root + tree.parents[i],
+                 {tree.nodes[i].x, tree.nodes[i].y, tree.nodes[i].z});
   return tree_hash(whole);
 }
 
@@ -128,7 +136,8 @@ oracles::brzoska2019::GrowthProblem oracle_problem(const Seedling& seedling) {
 }
 
 GrowthOracle::GrowthOracle(const Seedling& seedling)
-    : tree_(oracles::brzoska2019::grow(oracle_problem(seedling))), hash_(hash_of(seedling, tree_)) {}
+    : tree_(oracles::brzoska2019::grow(oracle_problem(seedling))),
+      hash_(hash_of(seedling, tree_)) {}
 
 CheckedGrowth grow_checked(const EngineDescriptor& engine, const Seedling& seedling,
                            const GrowthOracle& oracle, const GrowthRun& run) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// No timing without agreement: an engine's answers are compared with the literal oracle in every iteration
-// before any time is taken, and every timed tree is compared once more by its hash.
+// No timing without agreement: an engine's answers are compared with the literal oracle in every
+// iteration before any time is taken, and every timed tree is compared once more by its hash.
 #pragma once
 
 #include <memory>
@@ -33,12 +33,12 @@ class GrowthOracle {
   std::string hash_;
 };
 
-/// An engine and a run that agreed with the oracle in every iteration. Only grow_checked() makes one, and
-/// only one of these can be timed.
+/// An engine and a run that agreed with the oracle in every iteration. Only grow_checked() makes
+/// one, and only one of these can be timed.
 class VerifiedRun {
  public:
-  /// Grows once more and returns the tree with its times. Throws ContractViolation if it is another tree than
-  /// the one that was checked: then its time is worth nothing.
+  /// Grows once more and returns the tree with its times. Throws ContractViolation if it is another
+  /// tree than the one that was checked: then its time is worth nothing.
   GrowthResult grow() const;
 
   const EngineDescriptor& engine() const { return *engine_; }
@@ -46,7 +46,8 @@ class VerifiedRun {
  private:
   friend CheckedGrowth grow_checked(const EngineDescriptor&, const Seedling&, const GrowthOracle&,
                                     const GrowthRun&);
-  VerifiedRun(const EngineDescriptor& engine, const Seedling& seedling, std::string hash, GrowthRun run)
+  VerifiedRun(const EngineDescriptor& engine, const Seedling& seedling, std::string hash,
+              GrowthRun run)
       : engine_(&engine), seedling_(&seedling), hash_(std::move(hash)), run_(std::move(run)) {}
 
   const EngineDescriptor* engine_;
@@ -57,9 +58,9 @@ class VerifiedRun {
 
 /// What a checked growth found: a verified run, or the first difference from the oracle.
 struct CheckedGrowth {
-  GrowthResult result;                   ///< meaningful only if verified
-  std::optional<VerifiedRun> verified;   ///< must not outlive the seedling
-  std::string disagreement;              ///< iteration, point, both nodes, both distances; empty if verified
+  GrowthResult result;                  ///< meaningful only if verified
+  std::optional<VerifiedRun> verified;  ///< must not outlive the seedling
+  std::string disagreement;  ///< iteration, point, both nodes, both distances; empty if verified
 };
 
 /// Grows with an engine and stops at its first answer that differs from the oracle's. Distances are

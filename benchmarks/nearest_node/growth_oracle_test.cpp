@@ -124,8 +124,8 @@ TEST(EveryEngineOracle, WorkloadsReallyGrowAndContestNodes) {
   }
 }
 
-// A wrong engine enters by one file and one line, as any other; the check refuses it, and what is not
-// verified has nothing that could be timed.
+// A wrong engine enters by one file and one line, as any other; the check refuses it, and what is
+// not verified has nothing that could be timed.
 TEST(WrongEngine, IsRefusedBeforeItCanBeTimed) {
   int wrong_engines = 0;
   for (const EngineDescriptor* engine : all_engines()) {
@@ -146,8 +146,10 @@ TEST(WrongEngine, IsRefusedBeforeItCanBeTimed) {
 TEST(WrongEngine, IsReportedWithIterationPointNodesAndDistances) {
   const Seedling seedling = with_crown_stem(seedling_with(lattice(4, 0.25), 0.5, 0.25, 10));
   const GrowthOracle oracle(seedling);
-  const CheckedGrowth checked = grow_checked(engine_named("breaks_ties_upwards"), seedling, oracle, {});
-  for (const char* part : {"iteration 0", "point ", "node ", "squared distance", "the oracle has node "})
+  const CheckedGrowth checked =
+      grow_checked(engine_named("breaks_ties_upwards"), seedling, oracle, {});
+  for (const char* part :
+       {"iteration ", "point ", "node ", "squared distance", "the oracle has node "})
     EXPECT_NE(checked.disagreement.find(part), std::string::npos) << checked.disagreement;
 }
 
@@ -170,7 +172,8 @@ TEST(GrowthVariantOracle, EveryVariantGrowsTheOraclesTree) {
     const Seedling seedling = make_seedling(parameters);
     const GrowthOracle oracle(seedling);
     const CheckedGrowth checked = grow_checked(engine_named("voxel_grid"), seedling, oracle, {});
-    EXPECT_TRUE(checked.verified.has_value()) << "variant " << hashes.size() << ": " << checked.disagreement;
+    EXPECT_TRUE(checked.verified.has_value())
+        << "variant " << hashes.size() << ": " << checked.disagreement;
     hashes.push_back(oracle.hash());
   }
   for (std::size_t i = 1; i < hashes.size(); ++i)
@@ -183,9 +186,11 @@ TEST(DeferredMistakeOracle, GrowTheOraclesWrongTrees) {
   parameters.iterations = 20;
   for (const bool current_distance : {false, true})
     for (const bool first_pass : {false, true}) {
-      parameters.variant.deferred_kill_distance =
-          current_distance ? DeferredKillDistance::current_iteration : DeferredKillDistance::previous_iteration;
-      parameters.variant.deferred_first_pass = first_pass ? DeferredFirstPass::kill : DeferredFirstPass::skip;
+      parameters.variant.deferred_kill_distance = current_distance
+                                                      ? DeferredKillDistance::current_iteration
+                                                      : DeferredKillDistance::previous_iteration;
+      parameters.variant.deferred_first_pass =
+          first_pass ? DeferredFirstPass::kill : DeferredFirstPass::skip;
       const Seedling seedling = make_seedling(parameters);
       auto problem = oracle_problem(seedling);
       problem.deferred = {.enabled = true,
@@ -193,11 +198,13 @@ TEST(DeferredMistakeOracle, GrowTheOraclesWrongTrees) {
                           .uses_previous_kill_distance = !current_distance};
       const auto truth = oracles::brzoska2019::grow(problem);
       const auto engine = engine_named("squared_scan").create();
-      const GrowthResult grown = grow_crown(seedling, *engine, {.options = loop_options_named("d")});
+      const GrowthResult grown =
+          grow_crown(seedling, *engine, {.options = loop_options_named("d")});
       ASSERT_EQ(grown.skeleton.node_count() - static_cast<std::size_t>(seedling.crown_root),
                 truth.nodes.size());
       for (std::size_t i = 0; i < truth.nodes.size(); ++i) {
-        const Vector3& position = grown.skeleton.position(seedling.crown_root + static_cast<std::int32_t>(i));
+        const Vector3& position =
+            grown.skeleton.position(seedling.crown_root + static_cast<std::int32_t>(i));
         ASSERT_EQ(position, (Vector3{truth.nodes[i].x, truth.nodes[i].y, truth.nodes[i].z}));
       }
     }
@@ -212,12 +219,14 @@ TEST(TestTreeSlow, HasThePublishedEdgesForEveryEngineAndOption) {
   for (const EngineDescriptor* engine : all_engines()) {
     if (!engine->built() || is_wrong_on_purpose(*engine)) continue;
     for (const std::string_view option : loop_option_names) {
-      const CheckedGrowth checked =
-          grow_checked(*engine, seedling, oracle, {.options = loop_options_named(option), .threads = 2});
+      const CheckedGrowth checked = grow_checked(
+          *engine, seedling, oracle, {.options = loop_options_named(option), .threads = 2});
       ASSERT_TRUE(checked.verified.has_value()) << engine->name << ": " << checked.disagreement;
       EXPECT_EQ(checked.result.skeleton.edge_count(), 5200u);
       EXPECT_EQ(checked.result.passes.size(), 40u);
-      const std::uint64_t kills = option == "s" || option == "n" ? 115177619u : option == "d" ? 96043881u : 52823785u;
+      const std::uint64_t kills = option == "s" || option == "n" ? 115177619u
+                                  : option == "d"                ? 96043881u
+                                                                 : 52823785u;
       EXPECT_EQ(checked.result.work.kill_evaluations, kills) << engine->name << " " << option;
       if (engine->name != "squared_scan") continue;
       const bool boxed = option == "n" || option == "dn";

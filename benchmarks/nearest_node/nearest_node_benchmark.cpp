@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Google Benchmark suite: every built engine x loop option on the test tree of [Brzoska2019] Table 1. An
-// engine that differs from the oracle in any iteration is skipped with the difference as its message.
+// Google Benchmark suite: every built engine x loop option on the test tree of [Brzoska2019]
+// Table 1. An engine that differs from the oracle in any iteration is skipped with the difference
+// as its message.
 #include <memory>
 
 #include <benchmark/benchmark.h>
@@ -26,7 +27,8 @@ const Workload& test_tree() {
   return workload;
 }
 
-void grow_test_tree(benchmark::State& state, const EngineDescriptor& engine, std::string_view option) {
+void grow_test_tree(benchmark::State& state, const EngineDescriptor& engine,
+                    std::string_view option) {
   const Workload& workload = test_tree();
   const GrowthRun run{.options = loop_options_named(option)};
   const CheckedGrowth checked = grow_checked(engine, workload.seedling, workload.oracle, run);
@@ -48,9 +50,11 @@ void register_all() {
     if (!engine->built()) continue;
     for (const std::string_view option : loop_option_names) {
       const std::string name = "test_tree/" + std::string(engine->name) + "/" + std::string(option);
-      benchmark::RegisterBenchmark(name.c_str(), [engine, option](benchmark::State& state) {
-        grow_test_tree(state, *engine, option);
-      })->UseManualTime()->Unit(benchmark::kMillisecond);
+      benchmark::RegisterBenchmark(
+          name.c_str(),
+          [engine, option](benchmark::State& state) { grow_test_tree(state, *engine, option); })
+          ->UseManualTime()
+          ->Unit(benchmark::kMillisecond);
     }
   }
 }

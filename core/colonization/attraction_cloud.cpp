@@ -53,10 +53,11 @@ std::size_t attraction_point_count(const CutEllipsoid& shape, double density) {
   const double count = std::ceil(volume(shape) * density);
   constexpr double most = std::numeric_limits<PointIndex>::max();
   if (!(count <= most))
-    throw InputError(fmt::format(
-        "cloud.density asks for {:.4g} attraction points, more than the {:.4g} an index can count; lower "
-        "cloud.density or the cloud radii",
-        count, most));
+    throw InputError(
+        fmt::format("cloud.density asks for {:.4g} attraction points, more than the {:.4g} an "
+                    "index can count; lower "
+                    "cloud.density or the cloud radii",
+                    count, most));
   return static_cast<std::size_t>(count);
 }
 

@@ -18,7 +18,8 @@ struct CutEllipsoid {
 };
 
 /// Volume of the unit sphere between the two cutting planes: pi [(b - b^3/3) - (a - a^3/3)] with
-/// a = -1 + 2 cutoff_bottom, b = 1 - 2 cutoff_top. The thesis names it V_base and prints no formula.
+/// a = -1 + 2 cutoff_bottom, b = 1 - 2 cutoff_top. The thesis names it V_base and prints no
+/// formula.
 double unit_segment_volume(double cutoff_bottom, double cutoff_top);
 
 /// [Brzoska2019] eq. 21: determinant of the scaling matrix times the base volume.
@@ -28,8 +29,8 @@ double volume(const CutEllipsoid& shape);
 /// division; see erratum E2 of the paper. Throws InputError beyond 2^31 - 1 points.
 std::size_t attraction_point_count(const CutEllipsoid& shape, double density);
 
-/// Uniform points in the shape, whose bottom plane sits on `crown_root`. Rejection in the unit sphere, the
-/// height drawn and tested first: the order of draws decides published counts.
+/// Uniform points in the shape, whose bottom plane sits on `crown_root`. Rejection in the unit
+/// sphere, the height drawn and tested first: the order of draws decides published counts.
 std::vector<Vector3> attraction_points(const CutEllipsoid& shape, std::size_t count,
                                        const Vector3& crown_root, UnitStream& stream);
 

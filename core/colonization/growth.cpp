@@ -92,9 +92,8 @@ class GrowthLoop {
     pass.search_evaluations = after.search_evaluations - before.search_evaluations;
 
     PhaseTimer timer(result_.seconds.growth);
-    const GrowthStep::Counts counts =
-        step_.grow(seedling_.attraction_points, assignment, seedling_.crown_root, nodes_,
-                   result_.skeleton);
+    const GrowthStep::Counts counts = step_.grow(seedling_.attraction_points, assignment,
+                                                 seedling_.crown_root, nodes_, result_.skeleton);
     pass.associated_points = counts.associated_points;
     pass.suppressed_repeats = counts.suppressed_repeats;
     pass.new_nodes = nodes_.size() - known_to_engine_;
@@ -114,11 +113,13 @@ class GrowthLoop {
       if (variant.deferred_first_pass == DeferredFirstPass::kill) kill(i, kill_distance(0), pass);
       return;
     }
-    const bool previous = variant.deferred_kill_distance == DeferredKillDistance::previous_iteration;
+    const bool previous =
+        variant.deferred_kill_distance == DeferredKillDistance::previous_iteration;
     kill(i - 1, kill_distance(previous ? i - 1 : i), pass);
   }
 
-  /// Removes the points near the nodes that grew in iteration i (all nodes the engine has not seen yet).
+  /// Removes the points near the nodes that grew in iteration i (all nodes the engine has not seen
+  /// yet).
   void kill(int i, double distance, PassStatistics& pass) {
     PhaseTimer timer(result_.seconds.kill);
     const std::uint64_t before = engine_.counters().kill_evaluations;
@@ -157,11 +158,16 @@ class GrowthLoop {
 
 std::string_view name_of(StopReason reason) {
   switch (reason) {
-    case StopReason::iteration_limit: return "iteration_limit";
-    case StopReason::no_points_left: return "no_points_left";
-    case StopReason::no_point_in_range: return "no_point_in_range";
-    case StopReason::no_new_node: return "no_new_node";
-    case StopReason::interrupted: return "interrupted";
+    case StopReason::iteration_limit:
+      return "iteration_limit";
+    case StopReason::no_points_left:
+      return "no_points_left";
+    case StopReason::no_point_in_range:
+      return "no_point_in_range";
+    case StopReason::no_new_node:
+      return "no_new_node";
+    case StopReason::interrupted:
+      return "interrupted";
   }
   return "unknown";
 }

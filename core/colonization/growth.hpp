@@ -14,19 +14,20 @@ namespace phytobench {
 /// Everything that exists before the crown grows.
 struct Seedling {
   std::vector<Vector3> attraction_points;
-  Skeleton skeleton{Vector3{}};         ///< stem, then crown root, then the stem inside the crown
-  std::int32_t crown_root = 0;          ///< nodes from here on are searchable; the stem below is not
-  Vector3 crown_root_direction{0, 1, 0}; ///< along the last stem piece
+  Skeleton skeleton{Vector3{}};  ///< stem, then crown root, then the stem inside the crown
+  std::int32_t crown_root = 0;   ///< nodes from here on are searchable; the stem below is not
+  Vector3 crown_root_direction{0, 1, 0};  ///< along the last stem piece
   GrowthParameters growth;
 };
 
-/// Work and result of one executed iteration. Work is stated per pass: `search` for the association,
-/// `kill` for the removal that ran in this iteration (with option d that of the iteration before).
+/// Work and result of one executed iteration. Work is stated per pass: `search` for the
+/// association, `kill` for the removal that ran in this iteration (with option d that of the
+/// iteration before).
 struct PassStatistics {
   int iteration = 0;
-  std::size_t live_points = 0;         ///< at the association
-  std::size_t searchable_nodes = 0;    ///< at the association
-  std::size_t queried_points = 0;      ///< live points that passed option n
+  std::size_t live_points = 0;       ///< at the association
+  std::size_t searchable_nodes = 0;  ///< at the association
+  std::size_t queried_points = 0;    ///< live points that passed option n
   std::size_t associated_points = 0;
   std::size_t new_nodes = 0;
   std::size_t suppressed_repeats = 0;
@@ -37,10 +38,10 @@ struct PassStatistics {
 
 enum class StopReason {
   iteration_limit,
-  no_points_left,      ///< every attraction point has been removed
-  no_point_in_range,   ///< no live point is perceived by any node
-  no_new_node,         ///< points are perceived, but every child would repeat an existing one
-  interrupted,         ///< the observer asked to stop
+  no_points_left,     ///< every attraction point has been removed
+  no_point_in_range,  ///< no live point is perceived by any node
+  no_new_node,        ///< points are perceived, but every child would repeat an existing one
+  interrupted,        ///< the observer asked to stop
 };
 
 std::string_view name_of(StopReason reason);
@@ -71,12 +72,13 @@ struct GrowthRun {
   GrowthObserver observer = {};  ///< may be empty
 };
 
-/// Grows the crown of `seedling` with `engine`. The tree depends on the seedling alone: not on the engine,
-/// the loop options or the threads.
-GrowthResult grow_crown(const Seedling& seedling, NearestNodeEngine& engine, const GrowthRun& run = {});
+/// Grows the crown of `seedling` with `engine`. The tree depends on the seedling alone: not on the
+/// engine, the loop options or the threads.
+GrowthResult grow_crown(const Seedling& seedling, NearestNodeEngine& engine,
+                        const GrowthRun& run = {});
 
-/// The searchable nodes that exist before growth: crown root and stem inside the crown, each with the
-/// direction it looks in.
+/// The searchable nodes that exist before growth: crown root and stem inside the crown, each with
+/// the direction it looks in.
 std::vector<SearchableNode> start_nodes(const Seedling& seedling);
 
 }  // namespace phytobench

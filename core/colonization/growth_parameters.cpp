@@ -13,7 +13,8 @@ LoopOptions loop_options_named(std::string_view name) {
   if (name == "s" || name == "S") return {immediate, none};
   if (name == "d" || name == "D") return {deferred, none};
   if (name == "n" || name == "N") return {immediate, bounding_box};
-  if (name == "dn" || name == "DN" || name == "d&n" || name == "D&N") return {deferred, bounding_box};
+  if (name == "dn" || name == "DN" || name == "d&n" || name == "D&N")
+    return {deferred, bounding_box};
   throw InputError("unknown loop option '" + std::string(name) +
                    "'; use s (plain), d (deferred removal), n (bounding box) or dn (both)");
 }

@@ -32,8 +32,8 @@ enum class RepeatGuard { on, off };
 
 /// Which nodes that exist before the crown grows remove points.
 enum class StartKillers {
-  crown_root,       ///< only the crown root
-  crown_stem_too,   ///< the procedural trunk inside the crown as well
+  crown_root,      ///< only the crown root
+  crown_stem_too,  ///< the procedural trunk inside the crown as well
 };
 
 /// The kill distance of a deferred removal pass.
@@ -48,8 +48,8 @@ enum class DeferredFirstPass {
   kill,  ///< a mistake that grows another tree
 };
 
-/// Readings of the model under which published trees differ. The defaults are those that reproduce the
-/// published counts; each field names the alternative.
+/// Readings of the model under which published trees differ. The defaults are those that reproduce
+/// the published counts; each field names the alternative.
 struct GrowthVariant {
   TropismOrder tropism_order = TropismOrder::before_normalising;
   AttractionSum attraction_sum = AttractionSum::unit_vectors;
@@ -62,12 +62,12 @@ struct GrowthVariant {
 
 /// What the crown's growth needs to know ([Brzoska2019] sec. 3.4.4, 4.1, 5.2.1).
 struct GrowthParameters {
-  int iterations = 30;                  ///< at most; growth may stop earlier
-  double step_length = 0.25;            ///< D of eq. 8, length units, > 0
-  double influence_distance = 0.66;     ///< d_i, length units, > 0; infinity is allowed
-  double perception_angle_rad = 0.0;    ///< full angle, (0, 2 pi]; 2 pi perceives all around
-  KillDistanceSchedule kill_distance;   ///< d_c, never above influence_distance
-  Vector3 tropism;                      ///< g, already weighted; length is its strength
+  int iterations = 30;                 ///< at most; growth may stop earlier
+  double step_length = 0.25;           ///< D of eq. 8, length units, > 0
+  double influence_distance = 0.66;    ///< d_i, length units, > 0; infinity is allowed
+  double perception_angle_rad = 0.0;   ///< full angle, (0, 2 pi]; 2 pi perceives all around
+  KillDistanceSchedule kill_distance;  ///< d_c, never above influence_distance
+  Vector3 tropism;                     ///< g, already weighted; length is its strength
   GrowthVariant variant;
 };
 

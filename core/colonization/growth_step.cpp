@@ -20,7 +20,8 @@ GrowthStep::Counts GrowthStep::grow(std::span<const Vector3> points, const Assig
     if (!direction) continue;
     const Vector3 limited = limit_(*direction, nodes[i].direction);
     const Vector3 position = nodes[i].position + parameters_.step_length * limited;
-    if (variant.repeat_guard == RepeatGuard::on && skeleton.has_child_at(first + parent, position)) {
+    if (variant.repeat_guard == RepeatGuard::on &&
+        skeleton.has_child_at(first + parent, position)) {
       ++counts.suppressed_repeats;
       continue;
     }
@@ -42,8 +43,8 @@ GrowthStep::Counts GrowthStep::sum_attractions(std::span<const Vector3> points,
     const NodeIndex node = assignment.node[point];
     if (node == no_node) continue;
     const auto i = static_cast<std::size_t>(node);
-    if (test_angle && !perception_.within_angle(nodes[i].position, nodes[i].direction, points[point],
-                                                assignment.squared_distance[point]))
+    if (test_angle && !perception_.within_angle(nodes[i].position, nodes[i].direction,
+                                                points[point], assignment.squared_distance[point]))
       continue;
     ++counts.associated_points;
     if (!is_growing_[i]) {
@@ -51,7 +52,8 @@ GrowthStep::Counts GrowthStep::sum_attractions(std::span<const Vector3> points,
       sum_[i] = {};
       growing_.push_back(node);
     }
-    sum_[i] = sum_[i] + attraction(nodes[i].position, points[point], parameters_.variant.attraction_sum);
+    sum_[i] =
+        sum_[i] + attraction(nodes[i].position, points[point], parameters_.variant.attraction_sum);
   }
   return counts;
 }

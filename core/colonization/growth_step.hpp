@@ -10,9 +10,10 @@
 
 namespace phytobench {
 
-/// One growth step: every node with attraction points gets one child ([Brzoska2019] eq. 8 and 9). Shared
-/// by all engines, so that the same assignment always gives the same tree: directions are summed in point
-/// order, and children are made in the order of the lowest-indexed point that caused them.
+/// One growth step: every node with attraction points gets one child ([Brzoska2019] eq. 8 and 9).
+/// Shared by all engines, so that the same assignment always gives the same tree: directions are
+/// summed in point order, and children are made in the order of the lowest-indexed point that
+/// caused them.
 class GrowthStep {
  public:
   struct Counts {
@@ -22,7 +23,8 @@ class GrowthStep {
 
   explicit GrowthStep(const GrowthParameters& parameters);
 
-  /// Appends the children to `skeleton` and to `nodes`; node i of `nodes` is skeleton node first + i.
+  /// Appends the children to `skeleton` and to `nodes`; node i of `nodes` is skeleton node first +
+  /// i.
   Counts grow(std::span<const Vector3> points, const Assignment& assignment, std::int32_t first,
               std::vector<SearchableNode>& nodes, Skeleton& skeleton);
 
@@ -33,9 +35,9 @@ class GrowthStep {
   GrowthParameters parameters_;
   DirectionLimit limit_;
   Perception perception_;
-  std::vector<Vector3> sum_;             // per node
+  std::vector<Vector3> sum_;              // per node
   std::vector<std::uint8_t> is_growing_;  // per node
-  std::vector<NodeIndex> growing_;       // in order of first attraction point
+  std::vector<NodeIndex> growing_;        // in order of first attraction point
 };
 
 }  // namespace phytobench

@@ -7,7 +7,9 @@
 
 namespace phytobench {
 
-double sigmoid(double x) { return 1.0 / (1.0 + std::exp(-x)); }
+double sigmoid(double x) {
+  return 1.0 / (1.0 + std::exp(-x));
+}
 
 double KillDistanceSchedule::at(int i, int iterations) const {
   PHYTOBENCH_EXPECT(0 <= i && i < iterations);

@@ -8,8 +8,8 @@ namespace phytobench {
 
 namespace {
 
-/// The vertical turned by a random angle about a random horizontal axis. Draws the angle, then three
-/// numbers for the axis, of which the vertical one is dropped.
+/// The vertical turned by a random angle about a random horizontal axis. Draws the angle, then
+/// three numbers for the axis, of which the vertical one is dropped.
 Vector3 tilted_vertical(double tilt_rad, UnitStream& stream) {
   const double angle = stream.next_between(-tilt_rad, tilt_rad);
   const double axis_x = stream.next_between(-1.0, 1.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every parameter of a tree file in one table: reading, checking, the commented example and the list of
-// known keys all come from it.
+// Every parameter of a tree file in one table: reading, checking, the commented example and the
+// list of known keys all come from it.
 #pragma once
 
 #include <functional>
@@ -30,7 +30,7 @@ struct NumberKey {
   double low = 0.0;
   double high = std::numeric_limits<double>::infinity();
   bool low_is_allowed = true;
-  bool whole = false;            ///< only whole numbers
+  bool whole = false;  ///< only whole numbers
   bool infinity_is_allowed = false;
   double& (*place)(TreeFileValues&) = nullptr;
 };
@@ -48,11 +48,11 @@ struct ChoiceKey {
 };
 
 struct TreeParameterKey {
-  std::string_view name;          ///< "section.key", or "key" at the top
+  std::string_view name;  ///< "section.key", or "key" at the top
   std::string_view unit;
   std::string_view default_text;  ///< as written in a file
   std::string_view meaning;
-  std::string_view source;        ///< paper key and place, or "phytobench"
+  std::string_view source;  ///< paper key and place, or "phytobench"
   std::variant<NumberKey, VectorKey, ChoiceKey> kind;
   bool shown_as_comment = false;  ///< alternative to other keys: the example shows it commented out
 };

@@ -18,9 +18,12 @@ namespace {
 // Streams of the counter-based generator; the subtractive one restarts from the seed for each.
 enum Stream : std::uint64_t { cloud_stream = 1, stem_stream = 2, crown_stem_stream = 3 };
 
-double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
+double radians(double degrees) {
+  return degrees * (std::numbers::pi / 180.0);
+}
 
-std::vector<Vector3> sample_cloud(const TreeParameters& p, double density, const Vector3& crown_root) {
+std::vector<Vector3> sample_cloud(const TreeParameters& p, double density,
+                                  const Vector3& crown_root) {
   const auto stream = make_stream(p.random, p.seed, cloud_stream);
   return attraction_points(p.cloud, attraction_point_count(p.cloud, density), crown_root, *stream);
 }
@@ -29,14 +32,16 @@ std::int32_t grow_stem(const TreeParameters& p, Stream which, double length, std
                        Skeleton& skeleton) {
   constexpr double most_pieces = 1e6;
   if (length / p.step_length > most_pieces)
-    throw InputError(fmt::format("stem of length {:.4g} in pieces of {:.4g} would need more than {:.0g} "
-                                 "nodes; raise growth.step_length or shorten the stem",
-                                 length, p.step_length, most_pieces));
+    throw InputError(
+        fmt::format("stem of length {:.4g} in pieces of {:.4g} would need more than {:.0g} "
+                    "nodes; raise growth.step_length or shorten the stem",
+                    length, p.step_length, most_pieces));
   const auto stream = make_stream(p.random, p.seed, which);
   return append_stem(skeleton, foot, length, p.step_length, radians(p.stem_tilt_deg), *stream);
 }
 
-Vector3 weighted_tropism(const TreeParameters& p, const Seedling& seedling, const Vector3& crown_root) {
+Vector3 weighted_tropism(const TreeParameters& p, const Seedling& seedling,
+                         const Vector3& crown_root) {
   Vector3 weights = p.tropism_weights;
   if (p.tropism_damping == TropismDamping::cloud_shape) {
     const bool own_cloud = p.tropism_damping_density == 0.0;
@@ -90,13 +95,16 @@ std::string why_growth_cannot_start(const Seedling& seedling) {
   const double reach = seedling.growth.influence_distance;
   if (gap > reach)
     return fmt::format(
-        "growth cannot start: the nearest attraction point is {:.4g} away from the crown root, beyond "
+        "growth cannot start: the nearest attraction point is {:.4g} away from the crown root, "
+        "beyond "
         "growth.influence_distance = {:.4g}; raise growth.influence_distance above {:.4g}, raise "
         "cloud.density, or lengthen stem.crown_ratio into the cloud",
         gap, reach, gap);
   return fmt::format(
-      "growth cannot start: points lie within growth.influence_distance = {:.4g} (nearest {:.4g}), but "
-      "none within growth.perception_angle_deg = {:.4g} of the stem's direction; widen the angle, raise "
+      "growth cannot start: points lie within growth.influence_distance = {:.4g} (nearest {:.4g}), "
+      "but "
+      "none within growth.perception_angle_deg = {:.4g} of the stem's direction; widen the angle, "
+      "raise "
       "growth.influence_distance or cloud.density",
       reach, gap, seedling.growth.perception_angle_rad * 180.0 / std::numbers::pi);
 }

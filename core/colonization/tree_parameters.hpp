@@ -16,8 +16,8 @@ enum class TropismDamping {
   cloud_shape,  ///< y weight min(1, (height / max(width, depth))^2) of the points' extents
 };
 
-/// A whole tree: stem, cloud and growth. The defaults are the start settings of the 2019 program as its
-/// author published them.
+/// A whole tree: stem, cloud and growth. The defaults are the start settings of the 2019 program as
+/// its author published them.
 struct TreeParameters {
   std::uint64_t seed = 0;
   StreamKind random = StreamKind::subtractive;
@@ -29,24 +29,26 @@ struct TreeParameters {
   double perception_angle_deg = 160.0;  ///< full angle, (0, 360]
   KillDistanceSchedule kill_distance;
   Vector3 tropism_direction{0, 1, 0};
-  Vector3 tropism_weights{1, 1, 1};     ///< component by component ([Brzoska2019] sec. 4.1)
+  Vector3 tropism_weights{1, 1, 1};  ///< component by component ([Brzoska2019] sec. 4.1)
   TropismDamping tropism_damping = TropismDamping::cloud_shape;
-  double tropism_damping_density = 0.0; ///< density of the cloud whose extents are measured; 0: the crown's own
-  double stem_length = 2.0;             ///< below the crown, length units, >= 0
-  double stem_tilt_deg = 5.0;           ///< largest tilt of a stem piece, [0, 90]
-  double crown_stem_ratio = 0.0;        ///< share of the cloud's height that a trunk runs through, [0, 1]
+  double tropism_damping_density =
+      0.0;  ///< density of the cloud whose extents are measured; 0: the crown's own
+  double stem_length = 2.0;       ///< below the crown, length units, >= 0
+  double stem_tilt_deg = 5.0;     ///< largest tilt of a stem piece, [0, 90]
+  double crown_stem_ratio = 0.0;  ///< share of the cloud's height that a trunk runs through, [0, 1]
   GrowthVariant variant;
 };
 
-/// Grows the stem and samples the cloud. Throws InputError for an absurd number of points or stem pieces.
+/// Grows the stem and samples the cloud. Throws InputError for an absurd number of points or stem
+/// pieces.
 Seedling make_seedling(const TreeParameters& parameters);
 
-/// min(1, (height / max(width, depth))^2), the damping of upward tropism ([Brzoska2019] sec. 5.5.1 states
-/// the rule without a formula; the square is its author's).
+/// min(1, (height / max(width, depth))^2), the damping of upward tropism ([Brzoska2019] sec. 5.5.1
+/// states the rule without a formula; the square is its author's).
 double tropism_damping_weight(const Vector3& extent);
 
-/// One line on why nothing grows although the cloud has points: which distance, how far, what to change.
-/// Only meaningful for a result without a single new node.
+/// One line on why nothing grows although the cloud has points: which distance, how far, what to
+/// change. Only meaningful for a result without a single new node.
 std::string why_growth_cannot_start(const Seedling& seedling);
 
 }  // namespace phytobench

@@ -85,13 +85,16 @@ class TreeFileReader {
     if (!value) fail(name, fmt::format("{} must be a number {}", name, allowed(kind)));
     const bool in_range = kind.low_is_allowed ? *value >= kind.low : *value > kind.low;
     const bool finite = std::isfinite(*value) || (kind.infinity_is_allowed && *value > 0);
-    if (!in_range || !(*value <= kind.high) || !finite || (kind.whole && *value != std::floor(*value)))
-      fail(name, fmt::format("{} = {} is not allowed; give a number {}", name, *value, allowed(kind)));
+    if (!in_range || !(*value <= kind.high) || !finite ||
+        (kind.whole && *value != std::floor(*value)))
+      fail(name,
+           fmt::format("{} = {} is not allowed; give a number {}", name, *value, allowed(kind)));
     kind.place(values_) = *value;
   }
 
   static std::string allowed(const NumberKey& kind) {
-    std::string text = kind.low_is_allowed ? fmt::format(">= {}", kind.low) : fmt::format("> {}", kind.low);
+    std::string text =
+        kind.low_is_allowed ? fmt::format(">= {}", kind.low) : fmt::format("> {}", kind.low);
     if (std::isfinite(kind.high)) text += fmt::format(" and <= {}", kind.high);
     return kind.whole ? text + ", whole" : text;
   }
@@ -113,13 +116,15 @@ class TreeFileReader {
 
   void read_choice(const std::string& name, const ChoiceKey& kind, const toml::node& node) {
     const auto value = node.value<std::string_view>();
-    const auto word = value ? std::find(kind.words.begin(), kind.words.end(), *value) : kind.words.end();
+    const auto word =
+        value ? std::find(kind.words.begin(), kind.words.end(), *value) : kind.words.end();
     if (word == kind.words.end())
       fail(name, fmt::format("{} must be one of \"{}\"", name, fmt::join(kind.words, "\", \"")));
     kind.choose(values_, static_cast<std::size_t>(word - kind.words.begin()));
   }
 
-  /// Gnarliness sets three distances and the default density; whoever gives the distances gives all three.
+  /// Gnarliness sets three distances and the default density; whoever gives the distances gives all
+  /// three.
   void resolve_coupling() {
     const std::string explicit_keys[] = {"growth.influence_distance", "growth.kill_distance_begin",
                                          "growth.kill_distance_end"};
@@ -130,7 +135,8 @@ class TreeFileReader {
     if (given != std::end(explicit_keys)) {
       for (const std::string& key : explicit_keys)
         if (!is_given(key))
-          fail(*given, fmt::format("{} is given without {}; give all three distances or none", *given, key));
+          fail(*given, fmt::format("{} is given without {}; give all three distances or none",
+                                   *given, key));
       for (const std::string& key : coupled_keys)
         if (is_given(key))
           fail(key, fmt::format("{} would set {} as well; give one or the other", key, *given));
@@ -150,17 +156,20 @@ class TreeFileReader {
       fail("growth.influence_distance",
            fmt::format("growth.influence_distance = {} is too small to be squared; use at least {}",
                        p.influence_distance, smallest_influence_distance));
-    for (const auto& [key, distance] : {std::pair{"growth.kill_distance_begin", p.kill_distance.begin},
-                                        std::pair{"growth.kill_distance_end", p.kill_distance.end}})
+    for (const auto& [key, distance] :
+         {std::pair{"growth.kill_distance_begin", p.kill_distance.begin},
+          std::pair{"growth.kill_distance_end", p.kill_distance.end}})
       if (distance > p.influence_distance)
-        fail(key, fmt::format("{} = {} exceeds growth.influence_distance = {}; points would vanish that "
-                              "never attracted anything: lower the one or raise the other",
-                              key, distance, p.influence_distance));
+        fail(key,
+             fmt::format("{} = {} exceeds growth.influence_distance = {}; points would vanish that "
+                         "never attracted anything: lower the one or raise the other",
+                         key, distance, p.influence_distance));
     if (p.cloud.cutoff_bottom + p.cloud.cutoff_top >= 1.0)
       fail("cloud.cutoff_top",
-           fmt::format("cloud.cutoff_bottom + cloud.cutoff_top = {} leaves nothing of the ellipsoid; keep "
-                       "the sum below 1",
-                       p.cloud.cutoff_bottom + p.cloud.cutoff_top));
+           fmt::format(
+               "cloud.cutoff_bottom + cloud.cutoff_top = {} leaves nothing of the ellipsoid; keep "
+               "the sum below 1",
+               p.cloud.cutoff_bottom + p.cloud.cutoff_top));
     check_point_count();
   }
 
@@ -170,7 +179,8 @@ class TreeFileReader {
       const double count = volume(p.cloud) * density;
       if (count > most_attraction_points)
         fail("cloud.density",
-             fmt::format("the cloud would have {:.3g} attraction points (volume {:.4g} x density {:.4g}); at "
+             fmt::format("the cloud would have {:.3g} attraction points (volume {:.4g} x density "
+                         "{:.4g}); at "
                          "most {:.0e} are allowed: lower cloud.density or cloud.radii",
                          count, volume(p.cloud), density, most_attraction_points));
     }
@@ -208,7 +218,8 @@ TreeParameters read_tree_parameters(const std::filesystem::path& file,
   std::vector<const toml::table*> found;
   for (const std::string& table : tables) {
     found.push_back(root.at_path(table).as_table());
-    if (found.back() == nullptr) throw InputError(fmt::format("{}: has no table [{}]", name, table));
+    if (found.back() == nullptr)
+      throw InputError(fmt::format("{}: has no table [{}]", name, table));
   }
   return TreeFileReader(name, std::move(found)).read();
 }
@@ -220,7 +231,8 @@ TreeParameters parse_tree_parameters(std::string_view text, std::string_view nam
 
 std::string example_tree_file() {
   std::string text =
-      "# A tree for `phytobench grow`. Every key may be left out; the values here are the defaults.\n"
+      "# A tree for `phytobench grow`. Every key may be left out; the values here are the "
+      "defaults.\n"
       "# Lengths share one free unit. [Brzoska2019] is described by `phytobench list papers`.\n";
   std::string section;
   for (const TreeParameterKey& key : tree_parameter_keys()) {
@@ -230,9 +242,10 @@ std::string example_tree_file() {
       text += fmt::format("\n[{}]\n", own_section);
       section = own_section;
     }
-    const std::string_view short_name = key.name.substr(dot == std::string_view::npos ? 0 : dot + 1);
-    text += fmt::format("# {}. Unit: {}. Source: {}.\n{}{} = {}\n", key.meaning, key.unit, key.source,
-                        key.shown_as_comment ? "# " : "", short_name, key.default_text);
+    const std::string_view short_name =
+        key.name.substr(dot == std::string_view::npos ? 0 : dot + 1);
+    text += fmt::format("# {}. Unit: {}. Source: {}.\n{}{} = {}\n", key.meaning, key.unit,
+                        key.source, key.shown_as_comment ? "# " : "", short_name, key.default_text);
   }
   return text;
 }

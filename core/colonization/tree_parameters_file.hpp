@@ -10,11 +10,12 @@
 
 namespace phytobench {
 
-/// Reads a tree from a TOML file. Missing keys take their defaults. Throws InputError with file, line, key
-/// and what is allowed.
+/// Reads a tree from a TOML file. Missing keys take their defaults. Throws InputError with file,
+/// line, key and what is allowed.
 TreeParameters read_tree_parameters(const std::filesystem::path& file);
 
-/// Reads it from tables of the file ("tree.figure-51"), a later table replacing keys of an earlier one.
+/// Reads it from tables of the file ("tree.figure-51"), a later table replacing keys of an earlier
+/// one.
 TreeParameters read_tree_parameters(const std::filesystem::path& file,
                                     const std::vector<std::string>& tables);
 

@@ -19,7 +19,8 @@ namespace phytobench {
 
 /// What a function demands of its caller.
 #define PHYTOBENCH_EXPECT(condition) \
-  ((condition) ? void() : ::phytobench::contract_failed("expectation", #condition, __FILE__, __LINE__))
+  ((condition) ? void()              \
+               : ::phytobench::contract_failed("expectation", #condition, __FILE__, __LINE__))
 
 /// What a function promises about its result.
 #define PHYTOBENCH_ENSURE(condition) \

@@ -7,7 +7,8 @@
 
 namespace phytobench {
 
-/// Something the user gave is wrong (exit code 2). The message is one line: what, where, what to do.
+/// Something the user gave is wrong (exit code 2). The message is one line: what, where, what to
+/// do.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

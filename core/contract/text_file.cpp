@@ -62,8 +62,9 @@ void write_file_atomically(const fs::path& file, std::string_view content) {
   temporary += ".part" + std::to_string(::getpid());
   const std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(temporary.c_str(), "wb"));
   if (!stream) fail_writing(file, errno);
-  const bool written = std::fwrite(content.data(), 1, content.size(), stream.get()) == content.size() &&
-                       std::fflush(stream.get()) == 0 && ::fsync(::fileno(stream.get())) == 0;
+  const bool written =
+      std::fwrite(content.data(), 1, content.size(), stream.get()) == content.size() &&
+      std::fflush(stream.get()) == 0 && ::fsync(::fileno(stream.get())) == 0;
   std::error_code error;
   if (written) fs::rename(temporary, file, error);
   if (written && !error) return;

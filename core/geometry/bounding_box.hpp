@@ -8,8 +8,8 @@
 
 namespace phytobench {
 
-/// Axis-parallel box; empty until the first point. [Brzoska2019] sec. 5.2.2 keeps six extrema of all
-/// nodes and updates them with every new node.
+/// Axis-parallel box; empty until the first point. [Brzoska2019] sec. 5.2.2 keeps six extrema of
+/// all nodes and updates them with every new node.
 class BoundingBox {
  public:
   void extend(const Vector3& point) {
@@ -17,8 +17,8 @@ class BoundingBox {
     high_ = {std::max(high_.x, point.x), std::max(high_.y, point.y), std::max(high_.z, point.z)};
   }
 
-  /// The same box moved outwards by `margin` on all six sides. Rounded outwards by one unit in the last
-  /// place, so that a point exactly at the margin is never lost.
+  /// The same box moved outwards by `margin` on all six sides. Rounded outwards by one unit in the
+  /// last place, so that a point exactly at the margin is never lost.
   BoundingBox widened(double margin) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto down = [](double value) { return std::nextafter(value, -infinity); };

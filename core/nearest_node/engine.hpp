@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The contract of every nearest-node engine. It sits at the level of one iteration of space colonization,
-// because a nearest(query) interface would shut out the fastest algorithms: nodes are only added and never
-// move, points are only removed, so a point's nearest node changes only because of a new node.
+// The contract of every nearest-node engine. It sits at the level of one iteration of space
+// colonization, because a nearest(query) interface would shut out the fastest algorithms: nodes are
+// only added and never move, points are only removed, so a point's nearest node changes only
+// because of a new node.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,8 @@ using NodeIndex = std::int32_t;   ///< in the order in which nodes were handed t
 using PointIndex = std::int32_t;  ///< in the order of the points handed to reset()
 inline constexpr NodeIndex no_node = -1;
 
-/// A node a point may be associated with. The direction (unit length) is fixed when the node is made.
+/// A node a point may be associated with. The direction (unit length) is fixed when the node is
+/// made.
 struct SearchableNode {
   Vector3 position;
   Vector3 direction;
@@ -30,19 +32,20 @@ inline constexpr double smallest_influence_distance = 1e-100;
 /// Which points an engine looks at ([Brzoska2019] sec. 5.2.2, option N).
 enum class PointFilter {
   none,          ///< every live point
-  bounding_box,  ///< only points inside the box of all searchable nodes widened by the influence distance
+  bounding_box,  ///< only points inside the box of all searchable nodes widened by the influence
+                 ///< distance
 };
 
 struct EngineSetup {
-  double influence_distance = 0.0;        ///< length unit of the points; infinity is allowed
-  double perception_half_angle_rad = 0.0; ///< (0, pi]; pi perceives in every direction
+  double influence_distance = 0.0;         ///< length unit of the points; infinity is allowed
+  double perception_half_angle_rad = 0.0;  ///< (0, pi]; pi perceives in every direction
   PointFilter search_filter = PointFilter::none;
   PointFilter kill_filter = PointFilter::none;
-  int threads = 1;                        ///< results are the same for any number
+  int threads = 1;  ///< results are the same for any number
 };
 
-/// For every point (live or not) its nearest perceiving node, or no_node. Views into the engine, valid
-/// until its next call. Entries of removed points are no_node.
+/// For every point (live or not) its nearest perceiving node, or no_node. Views into the engine,
+/// valid until its next call. Entries of removed points are no_node.
 struct Assignment {
   std::span<const NodeIndex> node;
   std::span<const double> squared_distance;  ///< meaningful only where there is a node
@@ -55,12 +58,13 @@ class NearestNodeEngine {
   /// Starts afresh. `points` must stay alive and unchanged until the next reset().
   virtual void reset(std::span<const Vector3> points, const EngineSetup& setup) = 0;
 
-  /// Adds nodes, then gives each live point the nearest of all nodes so far that perceives it; of equally
-  /// near ones the lowest index.
+  /// Adds nodes, then gives each live point the nearest of all nodes so far that perceives it; of
+  /// equally near ones the lowest index.
   virtual Assignment associate(std::span<const SearchableNode> new_nodes) = 0;
 
-  /// Removes every live point with squared distance <= kill_distance^2 to one of `killers`, whatever their
-  /// perception angle. Returns the removed points in ascending order, valid until the next call.
+  /// Removes every live point with squared distance <= kill_distance^2 to one of `killers`,
+  /// whatever their perception angle. Returns the removed points in ascending order, valid until
+  /// the next call.
   virtual std::span<const PointIndex> kill(std::span<const SearchableNode> killers,
                                            double kill_distance) = 0;
 
@@ -71,11 +75,12 @@ class NearestNodeEngine {
 /// The whole public face of an engine. One constant of this type per file in engines/, one line in
 /// engines.def.
 struct EngineDescriptor {
-  std::string_view name;             ///< lower case, unique, equal to the file name
-  std::string_view summary;          ///< one sentence: how it finds the nearest node
-  std::string_view source;           ///< where the method comes from
-  bool uses_point_filter = true;     ///< false: option N changes nothing for this engine
-  std::string_view missing_package = {};  ///< empty if built, else the CMake target that was not found
+  std::string_view name;          ///< lower case, unique, equal to the file name
+  std::string_view summary;       ///< one sentence: how it finds the nearest node
+  std::string_view source;        ///< where the method comes from
+  bool uses_point_filter = true;  ///< false: option N changes nothing for this engine
+  std::string_view missing_package =
+      {};  ///< empty if built, else the CMake target that was not found
   std::unique_ptr<NearestNodeEngine> (*create)() = nullptr;
 
   bool built() const { return create != nullptr; }

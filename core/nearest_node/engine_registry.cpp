@@ -30,7 +30,9 @@ constexpr auto table = std::to_array<const EngineDescriptor*>({
 
 }  // namespace
 
-std::span<const EngineDescriptor* const> all_engines() { return table; }
+std::span<const EngineDescriptor* const> all_engines() {
+  return table;
+}
 
 std::string known_engine_names() {
   std::string names;
@@ -45,8 +47,8 @@ const EngineDescriptor& engine_named(std::string_view name) {
   for (const EngineDescriptor* engine : table) {
     if (engine->name != name) continue;
     if (engine->built()) return *engine;
-    throw InputError("engine '" + std::string(name) + "' is not built: " +
-                     std::string(engine->missing_package) +
+    throw InputError("engine '" + std::string(name) +
+                     "' is not built: " + std::string(engine->missing_package) +
                      " was not found when phytobench was configured; install it and build again");
   }
   throw InputError("unknown engine '" + std::string(name) + "'; known: " + known_engine_names());

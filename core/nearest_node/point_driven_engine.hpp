@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The one driver of all engines that ask, point by point, "which node is nearest?". It keeps the live
-// points and the box of option N, and offers the default kill scan. An engine adds only its node index.
+// The one driver of all engines that ask, point by point, "which node is nearest?". It keeps the
+// live points and the box of option N, and offers the default kill scan. An engine adds only its
+// node index.
 #pragma once
 
 #include <atomic>
@@ -27,18 +28,17 @@ struct NearestHit {
   }
 };
 
-/// What a point-driven engine supplies. nearest() must be callable from several threads at once and adds
-/// its work to the counters it is given.
+/// What a point-driven engine supplies. nearest() must be callable from several threads at once and
+/// adds its work to the counters it is given.
 template <class Index>
-concept NodeSearchIndex =
-    std::default_initializable<Index> &&
+concept NodeSearchIndex = std::default_initializable<Index> &&
     requires(Index index, const Index constant, std::span<const Vector3> points,
              std::span<const SearchableNode> nodes, const Perception& perception, PointIndex point,
              WorkCounters& work) {
-      index.reset(points, 1.0);
-      { index.insert(nodes) } -> std::convertible_to<std::uint64_t>;
-      { constant.nearest(point, points[0], perception, work) } -> std::same_as<NearestHit>;
-    };
+  index.reset(points, 1.0);
+  { index.insert(nodes) } -> std::convertible_to<std::uint64_t>;
+  { constant.nearest(point, points[0], perception, work) } -> std::same_as<NearestHit>;
+};
 
 template <NodeSearchIndex Index>
 class PointDrivenEngine final : public NearestNodeEngine {
@@ -60,21 +60,22 @@ class PointDrivenEngine final : public NearestNodeEngine {
   Assignment associate(std::span<const SearchableNode> new_nodes) override {
     work_.index_updates += index_.insert(new_nodes);
     extend_box(new_nodes);
-    for_live_points(setup_.search_filter, [this](PointIndex point, bool inside, WorkCounters& work) {
-      const auto i = static_cast<std::size_t>(point);
-      NearestHit hit{no_node, perception_.beyond_reach()};
-      if (inside) {
-        ++work.queries;
-        hit = index_.nearest(point, points_[i], perception_, work);
-      }
-      node_of_point_[i] = hit.node;
-      squared_distance_[i] = hit.squared_distance;
-    });
+    for_live_points(setup_.search_filter,
+                    [this](PointIndex point, bool inside, WorkCounters& work) {
+                      const auto i = static_cast<std::size_t>(point);
+                      NearestHit hit{no_node, perception_.beyond_reach()};
+                      if (inside) {
+                        ++work.queries;
+                        hit = index_.nearest(point, points_[i], perception_, work);
+                      }
+                      node_of_point_[i] = hit.node;
+                      squared_distance_[i] = hit.squared_distance;
+                    });
     return {node_of_point_, squared_distance_};
   }
 
-  /// The default kill: every live point against every killer, without early exit, as the thesis' rows
-  /// have it.
+  /// The default kill: every live point against every killer, without early exit, as the thesis'
+  /// rows have it.
   std::span<const PointIndex> kill(std::span<const SearchableNode> killers,
                                    double kill_distance) override {
     extend_box(killers);
@@ -100,7 +101,8 @@ class PointDrivenEngine final : public NearestNodeEngine {
     for (const SearchableNode& node : nodes) box_.extend(node.position);
   }
 
-  /// Calls visit(point, passes the filter, counters) for each live point, in blocks on several threads.
+  /// Calls visit(point, passes the filter, counters) for each live point, in blocks on several
+  /// threads.
   template <class Visit>
   void for_live_points(PointFilter filter, const Visit& visit) {
     const bool filtered = filter == PointFilter::bounding_box;

@@ -12,8 +12,8 @@ inline constexpr bool counts_inner_loop = true;
 inline constexpr bool counts_inner_loop = false;
 #endif
 
-/// Work done since reset(), independent of the machine. Sums of integers, so the order of threads does
-/// not matter.
+/// Work done since reset(), independent of the machine. Sums of integers, so the order of threads
+/// does not matter.
 struct WorkCounters {
   std::uint64_t search_evaluations = 0;  ///< squared distances computed to find nearest nodes
   std::uint64_t kill_evaluations = 0;    ///< squared distances computed to remove points

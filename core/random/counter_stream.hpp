@@ -8,8 +8,9 @@
 
 namespace phytobench {
 
-/// The random number at (seed, stream, index), in [0, 1) with 53 random bits. A pure function: the same
-/// for any thread count, order or platform (Philox 4x32-10, Salmon et al. 2011, through Random123).
+/// The random number at (seed, stream, index), in [0, 1) with 53 random bits. A pure function: the
+/// same for any thread count, order or platform (Philox 4x32-10, Salmon et al. 2011, through
+/// Random123).
 double random_unit(std::uint64_t seed, std::uint64_t stream, std::uint64_t index);
 
 /// random_unit() at index 0, 1, 2, ...

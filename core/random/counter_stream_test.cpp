@@ -31,7 +31,8 @@ TEST(RandomOrder, HoldsEveryPlaceOnceAndReachesAllOrders) {
     std::sort(order.begin(), order.end());
     ASSERT_EQ(order, (std::vector<std::size_t>{0, 1, 2}));
   }
-  for (const int count : seen) EXPECT_GT(count, 60);  // 100 expected, 60 is more than four deviations off
+  for (const int count : seen)
+    EXPECT_GT(count, 60);  // 100 expected, 60 is more than four deviations off
 }
 
 }  // namespace

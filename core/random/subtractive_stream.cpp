@@ -7,11 +7,11 @@ namespace phytobench {
 
 namespace {
 
-constexpr std::int32_t modulus = 2147483647;  // 2^31 - 1
+constexpr std::int32_t modulus = 2147483647;     // 2^31 - 1
 constexpr std::int32_t start_value = 161803398;  // digits of the golden ratio, after Knuth
 
-/// a - b in wrapping 32-bit arithmetic, a negative result raised by the modulus once. The original runs
-/// unchecked, and a negative start (seed above 161803398) really wraps.
+/// a - b in wrapping 32-bit arithmetic, a negative result raised by the modulus once. The original
+/// runs unchecked, and a negative start (seed above 161803398) really wraps.
 std::int32_t raised_difference(std::int32_t a, std::int32_t b) {
   const auto wrapped = static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b);
   const auto difference = static_cast<std::int32_t>(wrapped);

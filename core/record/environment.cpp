@@ -10,13 +10,13 @@
 #include <fstream>
 #include <thread>
 
-#include <boost/version.hpp>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
-#include <nlohmann/json.hpp>
 #include <oneapi/tbb/version.h>
 #include <toml++/toml.h>
+#include <boost/version.hpp>
+#include <nlohmann/json.hpp>
 
 #include "build_information.hpp"
 
@@ -51,14 +51,16 @@ std::vector<std::string> cache_sizes() {
     const std::string folder = fmt::format("/sys/devices/system/cpu/cpu0/cache/index{}/", i);
     const std::string level = first_line_of(folder + "level");
     if (level.empty()) break;
-    caches.push_back(fmt::format("L{} {} {}", level, first_line_of(folder + "type"), first_line_of(folder + "size")));
+    caches.push_back(fmt::format("L{} {} {}", level, first_line_of(folder + "type"),
+                                 first_line_of(folder + "size")));
   }
   return caches;
 }
 
 std::string utc_now() {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                     fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+  return fmt::format(
+      "{:%Y-%m-%dT%H:%M:%SZ}",
+      fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
 }
 
 ordered_json machine_json(const Machine& machine) {
@@ -81,9 +83,12 @@ std::vector<Component> linked_components() {
       {"glibc", gnu_get_libc_version(), "C library (mathematical functions depend on it)"},
       {"libstdc++", fmt::format("{}", __GLIBCXX__), "C++ library"},
       {"oneTBB", TBB_runtime_version(), "threads"},
-      {"Boost", fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100),
+      {"Boost",
+       fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000,
+                   BOOST_VERSION % 100),
        "statistics"},
-      {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100),
+      {"fmt",
+       fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100),
        "formatting"},
       {"nlohmann-json",
        fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
@@ -98,11 +103,13 @@ Machine this_machine() {
   machine.processor = proc_value("/proc/cpuinfo", "model name");
   machine.caches = cache_sizes();
   machine.logical_processors = static_cast<int>(std::thread::hardware_concurrency());
-  const double bytes = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
+  const double bytes = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) *
+                       static_cast<double>(::sysconf(_SC_PAGE_SIZE));
   machine.memory_gib = static_cast<double>(static_cast<int>(bytes / (1 << 30) * 10.0)) / 10.0;
   utsname system{};
   if (::uname(&system) == 0) machine.kernel = std::string(system.sysname) + " " + system.release;
-  machine.virtual_machine = proc_value("/proc/cpuinfo", "flags").find("hypervisor") != std::string::npos;
+  machine.virtual_machine =
+      proc_value("/proc/cpuinfo", "flags").find("hypervisor") != std::string::npos;
   double load[2] = {0.0, 0.0};
   if (::getloadavg(load, 2) == 2) {
     machine.load_1min = load[0];
@@ -126,7 +133,8 @@ std::string environment_json(const std::string& command_line, std::uint64_t seed
   json["seed"] = seed;
   json["threads"] = threads;
   json["machine"] = machine_json(this_machine());
-  for (const Component& component : linked_components()) json["libraries"][component.name] = component.version;
+  for (const Component& component : linked_components())
+    json["libraries"][component.name] = component.version;
   return json.dump(2) + "\n";
 }
 

@@ -13,9 +13,12 @@ using nlohmann::ordered_json;
 
 std::string_view name_of(Tier tier) {
   switch (tier) {
-    case Tier::smoke: return "smoke";
-    case Tier::quick: return "quick";
-    case Tier::full: return "full";
+    case Tier::smoke:
+      return "smoke";
+    case Tier::quick:
+      return "quick";
+    case Tier::full:
+      return "full";
   }
   return "unknown";
 }
@@ -31,7 +34,8 @@ std::string to_json_line(const Record& record) {
   line["experiment"] = record.experiment;
   line["measurement"] = record.measurement;
   // JSON has no NaN and would silently hold null.
-  if (const double* number = std::get_if<double>(&record.value)) PHYTOBENCH_EXPECT(std::isfinite(*number));
+  if (const double* number = std::get_if<double>(&record.value))
+    PHYTOBENCH_EXPECT(std::isfinite(*number));
   std::visit([&line](const auto& value) { line["value"] = value; }, record.value);
   line["unit"] = record.unit;
   line["n"] = record.sample_size;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What an experiment leaves behind. Experiments write these, the judge reads them; nothing else passes
-// between the two.
+// What an experiment leaves behind. Experiments write these, the judge reads them; nothing else
+// passes between the two.
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -21,8 +21,8 @@ struct Record {
   RecordValue value;
   std::string unit = "1";
   std::int64_t sample_size = 1;
-  std::optional<double> spread = std::nullopt;        ///< standard deviation over the sample
-  std::optional<std::uint64_t> seed = std::nullopt;   ///< of the random numbers behind the value
+  std::optional<double> spread = std::nullopt;       ///< standard deviation over the sample
+  std::optional<std::uint64_t> seed = std::nullopt;  ///< of the random numbers behind the value
 };
 
 /// One raw timing. `round` counts interleaved repetitions, `position` the place within the round.

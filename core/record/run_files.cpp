@@ -42,8 +42,8 @@ std::string completion_line(const std::string& experiment, std::size_t records) 
   return line.dump() + "\n";
 }
 
-/// Calls use(object, line number) for each line. A last line without line end was being written when the
-/// run died and is left out; anything else that is no JSON object is an error.
+/// Calls use(object, line number) for each line. A last line without line end was being written
+/// when the run died and is left out; anything else that is no JSON object is an error.
 void for_each_line(const fs::path& file, const std::function<void(const ordered_json&, int)>& use) {
   const std::string text = read_text_file(file, std::uintmax_t{4} << 30);
   int number = 0;
@@ -53,11 +53,13 @@ void for_each_line(const fs::path& file, const std::function<void(const ordered_
     if (end == std::string::npos) return;
     const auto where = [&] { return file.string() + ":" + std::to_string(number) + ": "; };
     try {
-      const ordered_json line = ordered_json::parse(text.begin() + static_cast<std::ptrdiff_t>(start),
-                                                    text.begin() + static_cast<std::ptrdiff_t>(end));
+      const ordered_json line =
+          ordered_json::parse(text.begin() + static_cast<std::ptrdiff_t>(start),
+                              text.begin() + static_cast<std::ptrdiff_t>(end));
       use(line, number);
     } catch (const nlohmann::json::exception& error) {
-      throw InputError(where() + "damaged record (" + error.what() + "); run the experiments again");
+      throw InputError(where() + "damaged record (" + error.what() +
+                       "); run the experiments again");
     } catch (const InputError& error) {
       throw InputError(where() + error.what());
     }
@@ -66,12 +68,17 @@ void for_each_line(const fs::path& file, const std::function<void(const ordered_
 }
 
 Record record_from(const ordered_json& line) {
-  Record record{.experiment = line.at("experiment"), .measurement = line.at("measurement"), .value = {}};
+  Record record{
+      .experiment = line.at("experiment"), .measurement = line.at("measurement"), .value = {}};
   const ordered_json& value = line.at("value");
-  if (value.is_number_integer()) record.value = value.get<std::int64_t>();
-  else if (value.is_number()) record.value = value.get<double>();
-  else if (value.is_string()) record.value = value.get<std::string>();
-  else throw InputError("measurement '" + record.measurement + "' holds neither number nor text");
+  if (value.is_number_integer())
+    record.value = value.get<std::int64_t>();
+  else if (value.is_number())
+    record.value = value.get<double>();
+  else if (value.is_string())
+    record.value = value.get<std::string>();
+  else
+    throw InputError("measurement '" + record.measurement + "' holds neither number nor text");
   record.unit = line.at("unit");
   record.sample_size = line.at("n");
   if (line.contains("spread")) record.spread = line.at("spread").get<double>();
@@ -92,7 +99,8 @@ TimingSample timing_from(const ordered_json& line) {
 
 RunHeader header_from(const ordered_json& line) {
   if (!line.contains("schema") || line.at("schema") != schema)
-    throw InputError(std::string("not a run of this suite: the first line must name the schema ") + schema);
+    throw InputError(std::string("not a run of this suite: the first line must name the schema ") +
+                     schema);
   return {tier_named(line.at("tier").get<std::string>()), line.at("seed").get<std::uint64_t>()};
 }
 
@@ -156,9 +164,11 @@ std::string joined_lines(std::span<const Line> lines) {
 
 RunContents read_run(const fs::path& folder) {
   const fs::path records = folder / records_name;
-  if (!fs::is_directory(folder)) throw InputError(folder.string() + ": no such folder; make one with phytobench run --out");
+  if (!fs::is_directory(folder))
+    throw InputError(folder.string() + ": no such folder; make one with phytobench run --out");
   if (!fs::exists(records))
-    throw InputError(folder.string() + ": holds no " + records_name + "; make one with phytobench run --out");
+    throw InputError(folder.string() + ": holds no " + records_name +
+                     "; make one with phytobench run --out");
   RecordCollector collector;
   bool has_header = false;
   for_each_line(records, [&](const ordered_json& line, int number) {
@@ -182,7 +192,8 @@ std::string read_environment(const fs::path& folder) {
   return fs::exists(file) ? read_text_file(file) : "{}";
 }
 
-RunWriter::RunWriter(fs::path folder, const RunHeader& header, RunMode mode) : folder_(std::move(folder)) {
+RunWriter::RunWriter(fs::path folder, const RunHeader& header, RunMode mode)
+    : folder_(std::move(folder)) {
   const fs::path records = folder_ / records_name;
   if (!fs::exists(records)) {
     make_folder(folder_);
@@ -191,12 +202,14 @@ RunWriter::RunWriter(fs::path folder, const RunHeader& header, RunMode mode) : f
     return;
   }
   if (mode == RunMode::fresh)
-    throw InputError(folder_.string() + ": already holds records; use --resume to go on with them, or "
-                                        "another --out");
+    throw InputError(folder_.string() +
+                     ": already holds records; use --resume to go on with them, or "
+                     "another --out");
   const RunContents old = read_run(folder_);
   if (old.header != header)
-    throw InputError(folder_.string() + ": was begun with --tier " + std::string(name_of(old.header.tier)) +
-                     " --seed " + std::to_string(old.header.seed) +
+    throw InputError(folder_.string() + ": was begun with --tier " +
+                     std::string(name_of(old.header.tier)) + " --seed " +
+                     std::to_string(old.header.seed) +
                      "; resume with the same or use another --out");
   // Write back what is whole, so that nothing half-written stays in between.
   complete_ = old.complete_experiments;

@@ -28,8 +28,8 @@ struct RunContents {
   std::set<std::string> complete_experiments;
 };
 
-/// Reads a run's folder. Throws InputError with file and line for anything that is not a run of this
-/// suite: a foreign schema, a broken line that is not the last, a duplicate measurement.
+/// Reads a run's folder. Throws InputError with file and line for anything that is not a run of
+/// this suite: a foreign schema, a broken line that is not the last, a duplicate measurement.
 RunContents read_run(const std::filesystem::path& folder);
 
 /// environment.json of a run, or "{}" if it has none.
@@ -42,14 +42,14 @@ enum class RunMode {
 
 class RunWriter {
  public:
-  /// Opens or continues a run. Throws InputError if the mode does not fit what is there, EnvironmentError if
-  /// nothing can be written.
+  /// Opens or continues a run. Throws InputError if the mode does not fit what is there,
+  /// EnvironmentError if nothing can be written.
   RunWriter(std::filesystem::path folder, const RunHeader& header, RunMode mode);
 
   bool is_complete(const std::string& experiment) const { return complete_.contains(experiment); }
 
-  /// Appends all of an experiment at once and marks it complete. On failure the files are cut back to
-  /// what they were.
+  /// Appends all of an experiment at once and marks it complete. On failure the files are cut back
+  /// to what they were.
   void append(const std::string& experiment, std::span<const Record> records,
               std::span<const TimingSample> timings);
 

@@ -18,13 +18,15 @@ struct BootstrapSettings {
   std::uint64_t seed = 20190906;  ///< fixed, so that a report is the same each time it is made
 };
 
-/// Median with a percentile bootstrap interval. At least one sample; a single one gives an interval of
-/// width zero, which says nothing: ask for several.
+/// Median with a percentile bootstrap interval. At least one sample; a single one gives an interval
+/// of width zero, which says nothing: ask for several.
 Estimate median_estimate(std::span<const double> samples, const BootstrapSettings& settings = {});
 
-/// Median of the ratios numerator[i] / denominator[i] of paired samples (same round of an interleaved
-/// run), with a percentile bootstrap over the pairs. Pairing removes what both shared: the machine's mood.
-Estimate paired_ratio_estimate(std::span<const double> numerator, std::span<const double> denominator,
+/// Median of the ratios numerator[i] / denominator[i] of paired samples (same round of an
+/// interleaved run), with a percentile bootstrap over the pairs. Pairing removes what both shared:
+/// the machine's mood.
+Estimate paired_ratio_estimate(std::span<const double> numerator,
+                               std::span<const double> denominator,
                                const BootstrapSettings& settings = {});
 
 }  // namespace phytobench

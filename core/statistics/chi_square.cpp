@@ -10,7 +10,8 @@
 namespace phytobench {
 
 double uniformity_p_value(std::span<const std::int64_t> counts) {
-  const auto total = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
+  const auto total =
+      static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
   PHYTOBENCH_EXPECT(counts.size() >= 2 && total > 0);
   const double expected = total / static_cast<double>(counts.size());
   double statistic = 0.0;

@@ -9,22 +9,25 @@
 
 namespace phytobench {
 
-/// A branching structure: nodes joined to their parents by straight edges. Node 0 is the root and every
-/// parent precedes its children.
+/// A branching structure: nodes joined to their parents by straight edges. Node 0 is the root and
+/// every parent precedes its children.
 class Skeleton {
  public:
   static constexpr std::int32_t no_parent = -1;
 
   explicit Skeleton(const Vector3& root) { append(no_parent, root); }
 
-  /// Appends a node and returns its index. `parent` must exist already (no_parent only for the root).
+  /// Appends a node and returns its index. `parent` must exist already (no_parent only for the
+  /// root).
   std::int32_t append(std::int32_t parent, const Vector3& position);
 
   std::size_t node_count() const { return positions_.size(); }
   std::size_t edge_count() const { return positions_.size() - 1; }
   const std::vector<Vector3>& positions() const { return positions_; }
   const std::vector<std::int32_t>& parents() const { return parents_; }
-  const Vector3& position(std::int32_t node) const { return positions_[static_cast<std::size_t>(node)]; }
+  const Vector3& position(std::int32_t node) const {
+    return positions_[static_cast<std::size_t>(node)];
+  }
 
   /// Whether `parent` already has a child exactly at `position` (all bits of all coordinates).
   bool has_child_at(std::int32_t parent, const Vector3& position) const;
@@ -45,8 +48,8 @@ double highest_y(const Skeleton& skeleton);
 /// Greatest number of edges from the root to any node.
 std::size_t edge_depth(const Skeleton& skeleton);
 
-/// 64-bit FNV-1a over all positions (bit patterns) and parents, as 16 hexadecimal digits. Equal hashes
-/// stand for equal trees, node for node and bit for bit.
+/// 64-bit FNV-1a over all positions (bit patterns) and parents, as 16 hexadecimal digits. Equal
+/// hashes stand for equal trees, node for node and bit for bit.
 std::string tree_hash(const Skeleton& skeleton);
 
 }  // namespace phytobench

@@ -13,7 +13,8 @@ namespace phytobench {
 
 namespace {
 
-constexpr double height_units = 1000.0;  // the drawing's grid is one of whole numbers, to keep it small
+constexpr double height_units =
+    1000.0;  // the drawing's grid is one of whole numbers, to keep it small
 constexpr double pipe_exponent = 1.9;
 constexpr double tip_width = 1.0;
 constexpr double widest = 14.0;
@@ -53,7 +54,8 @@ std::string skeleton_svg(const Skeleton& skeleton, const std::string& title) {
                                                column(to) - column(from), row(to) - row(from));
   }
   std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-10 -10 {} {}\" role=\"img\" fill=\"none\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-10 -10 {} {}\" role=\"img\" "
+      "fill=\"none\" "
       "stroke=\"currentColor\" stroke-linecap=\"round\"><title>{}</title>\n",
       std::lround(box.extent().x * scale) + 20, std::lround(box.extent().y * scale) + 20, title);
   for (const auto& [width, path] : paths)

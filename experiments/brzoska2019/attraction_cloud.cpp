@@ -24,7 +24,8 @@ struct Cut {
   double bottom;
   double top;
 };
-constexpr Cut cuts[] = {{"uncut", 0, 0}, {"default", 0.15, 0.05}, {"half", 0.5, 0}, {"figure-42", 0.6, 0}};
+constexpr Cut cuts[] = {
+    {"uncut", 0, 0}, {"default", 0.15, 0.05}, {"half", 0.5, 0}, {"figure-42", 0.6, 0}};
 
 /// z score of a volume estimated from random points of the cube around the unit sphere.
 double monte_carlo_z(const Cut& cut, std::uint64_t seed, std::uint64_t stream_index) {
@@ -72,7 +73,8 @@ void record_counts(ExperimentContext& context) {
   const double target = volume(tree.cloud);
   context.record("volume/figure-51", target);
   context.record("points/figure-51-double-density", points_of(tree.cloud, 2 * tree.cloud_density));
-  context.record("points_as_printed/figure-51", printed::equation_22_as_printed(target, tree.cloud_density));
+  context.record("points_as_printed/figure-51",
+                 printed::equation_22_as_printed(target, tree.cloud_density));
   context.record("points_as_printed/figure-51-double-density",
                  printed::equation_22_as_printed(target, 2 * tree.cloud_density));
 
@@ -135,7 +137,8 @@ void record_bounds(ExperimentContext& context) {
   std::int64_t violations = 0;
   const Vector3 root{0.5, 2.0, -1.0};
   for (const Cut& cut : cuts) {
-    const CutEllipsoid shape{.radii = {2, 3, 4}, .cutoff_bottom = cut.bottom, .cutoff_top = cut.top};
+    const CutEllipsoid shape{
+        .radii = {2, 3, 4}, .cutoff_bottom = cut.bottom, .cutoff_top = cut.top};
     CounterStream stream(context.seed(), 120);
     const auto points = attraction_points(shape, 20000, root, stream);
     const double top = root.y + 2.0 * shape.radii.y * (1.0 - cut.top - cut.bottom);
@@ -179,7 +182,8 @@ void run(ExperimentContext& context) {
 extern const ExperimentDescriptor attraction_cloud;
 constinit const ExperimentDescriptor attraction_cloud{
     .id = "brzoska2019/attraction-cloud",
-    .question = "Does the cloud of attraction points have the volume, number and distribution described?",
+    .question =
+        "Does the cloud of attraction points have the volume, number and distribution described?",
     .source = "[Brzoska2019] sec. 5.2.1, eq. 21, 22",
     .seconds = {1, 1, 1},
     .run = run,

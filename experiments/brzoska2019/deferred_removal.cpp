@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Option D removes points at the start of the next iteration. Five conditions under which that grows the
-// same tree as removing at once, each broken on its own; and whether new nodes alone may remove points.
-// Runs the literal oracle: core offers only what works.
+// Option D removes points at the start of the next iteration. Five conditions under which that
+// grows the same tree as removing at once, each broken on its own; and whether new nodes alone may
+// remove points. Runs the literal oracle: core offers only what works.
 #include <cmath>
 
 #include "benchmarks/nearest_node/growth_oracle.hpp"
@@ -40,14 +40,16 @@ GrowthProblem few_points(std::vector<Point> points, double kill_distance, int it
   return problem;
 }
 
-/// The first child stands exactly one kill distance below the first point: <= removes it, < does not, and
-/// then it still pulls when the second point comes into reach.
+/// The first child stands exactly one kill distance below the first point: <= removes it, < does
+/// not, and then it still pulls when the second point comes into reach.
 GrowthProblem point_at_kill_distance() {
   return few_points({{0, 0.5, 0}, {0.3, 0.7, 0}}, 0.25, 3);
 }
 
 /// One step removes the only point.
-GrowthProblem single_point() { return few_points({{0, 0.4, 0}}, 0.3, 5); }
+GrowthProblem single_point() {
+  return few_points({{0, 0.4, 0}}, 0.3, 5);
+}
 
 bool same_tree(const GrownTree& a, const GrownTree& b) {
   if (a.parents != b.parents) return false;
@@ -62,13 +64,17 @@ GrownTree grow_deferred(GrowthProblem problem, DeferredRemoval deferred) {
   return grow(problem);
 }
 
-std::int64_t yes(bool statement) { return statement ? 1 : 0; }
+std::int64_t yes(bool statement) {
+  return statement ? 1 : 0;
+}
 
 void record_all_nodes(ExperimentContext& context) {
   for (const bool shrinking : {true, false}) {
     GrowthProblem problem = small_crown();
     if (!shrinking)
-      problem.d_c = [forward = problem.d_c, n = problem.iterations](int i) { return forward(n - 1 - i); };
+      problem.d_c = [forward = problem.d_c, n = problem.iterations](int i) {
+        return forward(n - 1 - i);
+      };
     const GrownTree new_only = grow(problem);
     problem.departures.all_nodes_kill = true;
     context.record(std::string("all_nodes_kill/same_tree_") + (shrinking ? "shrinking" : "growing"),
@@ -85,16 +91,20 @@ void run(ExperimentContext& context) {
   context.record("kept/same_tree", yes(same_tree(immediate, kept)));
 
   context.progress("breaking the conditions one by one");
-  context.record("condition-1/same_tree",
-                 yes(same_tree(immediate, grow_deferred(crown, {.first_pass_removes_nothing = false}))));
-  context.record("condition-2/same_tree",
-                 yes(same_tree(immediate, grow_deferred(crown, {.uses_previous_kill_distance = false}))));
+  context.record(
+      "condition-1/same_tree",
+      yes(same_tree(immediate, grow_deferred(crown, {.first_pass_removes_nothing = false}))));
+  context.record(
+      "condition-2/same_tree",
+      yes(same_tree(immediate, grow_deferred(crown, {.uses_previous_kill_distance = false}))));
   const GrowthProblem tie = point_at_kill_distance();
   context.record("condition-3/kept_same_tree", yes(same_tree(grow(tie), grow_deferred(tie, {}))));
-  context.record("condition-3/same_tree",
-                 yes(same_tree(grow(tie), grow_deferred(tie, {.compares_like_immediate_removal = false}))));
-  context.record("condition-4/same_tree",
-                 yes(same_tree(immediate, grow_deferred(crown, {.ignores_perception_angle = false}))));
+  context.record(
+      "condition-3/same_tree",
+      yes(same_tree(grow(tie), grow_deferred(tie, {.compares_like_immediate_removal = false}))));
+  context.record(
+      "condition-4/same_tree",
+      yes(same_tree(immediate, grow_deferred(crown, {.ignores_perception_angle = false}))));
   const GrowthProblem last = single_point();
   const GrownTree early_test = grow_deferred(last, {.stop_test_follows_removal = false});
   context.record("condition-5/same_tree", yes(same_tree(grow(last), early_test)));
@@ -108,7 +118,8 @@ void run(ExperimentContext& context) {
 extern const ExperimentDescriptor deferred_removal;
 constinit const ExperimentDescriptor deferred_removal{
     .id = "brzoska2019/deferred-removal",
-    .question = "Under which conditions does removing points one iteration later grow the same tree?",
+    .question =
+        "Under which conditions does removing points one iteration later grow the same tree?",
     .source = "[Brzoska2019] sec. 5.2.2, option D",
     .seconds = {1, 1, 1},
     .run = run,

@@ -39,7 +39,8 @@ void record_equation_9(ExperimentContext& context) {
   }
   const Vector3 opposite = attraction({}, {0.3, 0, 0}, AttractionSum::unit_vectors) +
                            attraction({}, {-0.3, 0, 0}, AttractionSum::unit_vectors);
-  context.record("equation-9/zero_sum_grows", grows(opposite, {}, TropismOrder::before_normalising));
+  context.record("equation-9/zero_sum_grows",
+                 grows(opposite, {}, TropismOrder::before_normalising));
 }
 
 void record_equation_10(ExperimentContext& context) {
@@ -60,8 +61,9 @@ void record_equation_10(ExperimentContext& context) {
     parameters.tropism_direction = sum;
     parameters.tropism_weights = tropism;
     const Vector3 effective = make_seedling(parameters).growth.tropism;
-    weights_error = std::max({weights_error, abs(effective.x - sum.x * tropism.x),
-                              abs(effective.y - sum.y * tropism.y), abs(effective.z - sum.z * tropism.z)});
+    weights_error =
+        std::max({weights_error, abs(effective.x - sum.x * tropism.x),
+                  abs(effective.y - sum.y * tropism.y), abs(effective.z - sum.z * tropism.z)});
   }
   context.record("equation-10/length_error", length_error);
   context.record("equation-10/zero_tropism_error", zero_error);
@@ -87,7 +89,8 @@ void record_equation_17(ExperimentContext& context) {
       schedule.sigmoid_begin + (schedule.sigmoid_end - schedule.sigmoid_begin) / (n - 1) * 14;
   context.record("equation-17/argument-14", argument);
   context.record("equation-17/sigmoid-14", sigmoid(argument));
-  context.record("equation-17/middle_offset", schedule.at(14, n) - 0.5 * (schedule.begin + schedule.end));
+  context.record("equation-17/middle_offset",
+                 schedule.at(14, n) - 0.5 * (schedule.begin + schedule.end));
   std::int64_t increases = 0;
   double asymmetry = 0.0;
   for (int i = 0; i < n; ++i) {
@@ -142,7 +145,8 @@ void record_distances(ExperimentContext& context) {
     differences += by_root != by_square;
     shared_roots += shared;
     const Vector3 offset = point - node[0];
-    largest_error = std::max(largest_error, abs(norm(offset) - std::hypot(offset.x, offset.y, offset.z)));
+    largest_error =
+        std::max(largest_error, abs(norm(offset) - std::hypot(offset.x, offset.y, offset.z)));
   }
   context.record("equation-23/max_error", largest_error);
   context.record("equation-24/queries", std::int64_t{queries});

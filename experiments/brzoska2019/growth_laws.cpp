@@ -16,9 +16,13 @@ namespace phytobench::experiments::brzoska2019 {
 
 namespace {
 
-std::int64_t count(std::size_t value) { return static_cast<std::int64_t>(value); }
+std::int64_t count(std::size_t value) {
+  return static_cast<std::int64_t>(value);
+}
 
-double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+double degrees(double radians) {
+  return radians * 180.0 / std::numbers::pi;
+}
 
 double angle_deg(const Vector3& a, const Vector3& b) {
   return degrees(std::acos(std::clamp(dot(a, b) / (norm(a) * norm(b)), -1.0, 1.0)));
@@ -39,8 +43,9 @@ struct AssociationLaws {
   std::size_t box_differences = 0;
 };
 
-void check_association(const Seedling& seedling, const ObservedEngine& engine, BoundingBox& running_box,
-                       std::size_t& boxed, const Assignment& assignment, AssociationLaws& laws) {
+void check_association(const Seedling& seedling, const ObservedEngine& engine,
+                       BoundingBox& running_box, std::size_t& boxed, const Assignment& assignment,
+                       AssociationLaws& laws) {
   const GrowthParameters& growth = seedling.growth;
   BoundingBox fresh_box;
   for (const SearchableNode& node : engine.nodes) fresh_box.extend(node.position);
@@ -63,7 +68,8 @@ void check_association(const Seedling& seedling, const ObservedEngine& engine, B
 }
 
 void check_removal(const Seedling& seedling, const ObservedEngine& engine,
-                   std::span<const SearchableNode> killers, double distance, AssociationLaws& laws) {
+                   std::span<const SearchableNode> killers, double distance,
+                   AssociationLaws& laws) {
   for (std::size_t i = 0; i < engine.alive.size(); ++i) {
     if (!engine.alive[i]) continue;
     for (const SearchableNode& killer : killers)
@@ -87,11 +93,12 @@ void record_test_tree(ExperimentContext& context) {
     check_removal(seedling, engine, killers, distance, laws);
   };
   std::size_t children = 0, calls = 0;
-  const GrowthResult result = grow_crown(seedling, engine, {.observer = [&](const PassStatistics& pass) {
-                                           children += pass.new_nodes + pass.suppressed_repeats;
-                                           ++calls;
-                                           return true;
-                                         }});
+  const GrowthResult result =
+      grow_crown(seedling, engine, {.observer = [&](const PassStatistics& pass) {
+                   children += pass.new_nodes + pass.suppressed_repeats;
+                   ++calls;
+                   return true;
+                 }});
   context.record("association/beyond_influence", count(laws.beyond_influence));
   context.record("association/beyond_angle", count(laws.beyond_angle));
   context.record("sets/unexplained_nodes", count(laws.nonempty_sets) - count(children));
@@ -153,15 +160,15 @@ void record_stops(ExperimentContext& context) {
   context.record("stop/no_points_left",
                  stops(fixture({{0, 0.4, 0}}, 9, 0.5, 0.3, 160), StopReason::no_points_left));
   int calls = 0;
-  grow_quickly(fixture({{0, 9, 0}}, 20, 50.0, 0.1, 160), {.observer = [&](const PassStatistics&) {
-                 return ++calls < 3;
-               }});
+  grow_quickly(fixture({{0, 9, 0}}, 20, 50.0, 0.1, 160),
+               {.observer = [&](const PassStatistics&) { return ++calls < 3; }});
   context.record("callbacks/after_stop", std::int64_t{calls - 3});
 }
 
 /// Figure 18 in our own coordinates: six nodes in a row, two points to the left, two above.
 void record_example(ExperimentContext& context) {
-  Seedling seedling = fixture({{-1.5, 3.2, 0}, {-1.4, 3.4, 0}, {0.8, 6.8, 0}, {1.2, 7.0, 0}}, 1, 2.6, 0.8, 360);
+  Seedling seedling =
+      fixture({{-1.5, 3.2, 0}, {-1.4, 3.4, 0}, {0.8, 6.8, 0}, {1.2, 7.0, 0}}, 1, 2.6, 0.8, 360);
   seedling.growth.step_length = 1.0;
   for (std::int32_t i = 0; i < 5; ++i) seedling.skeleton.append(i, {0, i + 1.0, 0});
   const GrowthResult result = grow_quickly(seedling);
@@ -176,8 +183,9 @@ void record_repeat_guard(ExperimentContext& context) {
     seedling.growth.variant.repeat_guard = guard;
     const GrowthResult result = grow_quickly(seedling);
     const auto& parents = result.skeleton.parents();
-    context.record(guard == RepeatGuard::on ? "repeat_guard/children_with" : "repeat_guard/children_without",
-                   count(static_cast<std::size_t>(std::count(parents.begin(), parents.end(), 0))));
+    context.record(
+        guard == RepeatGuard::on ? "repeat_guard/children_with" : "repeat_guard/children_without",
+        count(static_cast<std::size_t>(std::count(parents.begin(), parents.end(), 0))));
   }
 }
 
@@ -203,9 +211,11 @@ void record_stems(ExperimentContext& context) {
   parameters.crown_stem_ratio = 1.0;
   const Seedling with = make_seedling(parameters);
   double trunk = 0.0;
-  for (std::size_t i = static_cast<std::size_t>(with.crown_root) + 1; i < with.skeleton.node_count(); ++i)
+  for (std::size_t i = static_cast<std::size_t>(with.crown_root) + 1;
+       i < with.skeleton.node_count(); ++i)
     trunk += norm(with.skeleton.positions()[i] - with.skeleton.positions()[i - 1]);
-  context.record("crown_stem/ratio-1/height_share", trunk / extent_of(with.attraction_points).extent().y);
+  context.record("crown_stem/ratio-1/height_share",
+                 trunk / extent_of(with.attraction_points).extent().y);
 }
 
 /// Turning angles between an edge and its parent edge, without tropism.
@@ -218,10 +228,12 @@ void record_turning(ExperimentContext& context) {
     const Skeleton tree = grow_quickly(seedling).skeleton;
     double largest = 0.0;
     std::size_t backward = 0;
-    for (std::size_t i = static_cast<std::size_t>(seedling.crown_root) + 1; i < tree.node_count(); ++i) {
+    for (std::size_t i = static_cast<std::size_t>(seedling.crown_root) + 1; i < tree.node_count();
+         ++i) {
       const auto parent = static_cast<std::size_t>(tree.parents()[i]);
-      const double turn = angle_deg(tree.positions()[parent] - tree.position(tree.parents()[parent]),
-                                    tree.positions()[i] - tree.positions()[parent]);
+      const double turn =
+          angle_deg(tree.positions()[parent] - tree.position(tree.parents()[parent]),
+                    tree.positions()[i] - tree.positions()[parent]);
       largest = std::max(largest, turn);
       backward += turn > 90.0;
     }
@@ -232,7 +244,8 @@ void record_turning(ExperimentContext& context) {
 
 void record_tropism_weights(ExperimentContext& context) {
   for (const char* figure : {"figure-51", "figure-40"})
-    context.record(std::string("tropism_weight/") + figure, make_seedling(thesis_tree(figure)).growth.tropism.y);
+    context.record(std::string("tropism_weight/") + figure,
+                   make_seedling(thesis_tree(figure)).growth.tropism.y);
   context.record("tropism_weight/flat_cloud", tropism_damping_weight({2, 1, 2}));
   context.record("tropism_weight/tall_cloud", tropism_damping_weight({1, 2, 1}));
 }
@@ -245,10 +258,12 @@ void record_voxels(ExperimentContext& context) {
   context.record("voxel/smaller_edge_misses", std::int64_t{in_reach && !looked_into});
 
   std::int64_t found = 1;
-  for (const Vector3& place : {Vector3{0.5, 0, 0}, Vector3{-0.5, 0, 0}, Vector3{0, -0.5, 0}, Vector3{0.3, 0.4, 0}}) {
+  for (const Vector3& place :
+       {Vector3{0.5, 0, 0}, Vector3{-0.5, 0, 0}, Vector3{0, -0.5, 0}, Vector3{0.3, 0.4, 0}}) {
     const std::vector<Vector3> points{place};
     const auto engine = engine_named("voxel_grid").create();
-    engine->reset(points, {.influence_distance = 0.5, .perception_half_angle_rad = std::numbers::pi});
+    engine->reset(points,
+                  {.influence_distance = 0.5, .perception_half_angle_rad = std::numbers::pi});
     const SearchableNode origin{{0, 0, 0}, {0, 1, 0}};
     found &= engine->associate({&origin, 1}).node[0] == 0;
   }
@@ -262,7 +277,8 @@ void record_seeds(ExperimentContext& context) {
     context.progress(fmt::format("figure 46 with seed {} of {}", seed, seeds));
     TreeParameters parameters = thesis_tree("figure-46");
     parameters.seed = seed;
-    edges.push_back(static_cast<double>(grow_quickly(make_seedling(parameters)).skeleton.edge_count()));
+    edges.push_back(
+        static_cast<double>(grow_quickly(make_seedling(parameters)).skeleton.edge_count()));
   }
   double mean = 0.0, squares = 0.0;
   for (const double e : edges) mean += e / static_cast<double>(seeds);
@@ -294,7 +310,8 @@ void run(ExperimentContext& context) {
 extern const ExperimentDescriptor growth_laws;
 constinit const ExperimentDescriptor growth_laws{
     .id = "brzoska2019/growth-laws",
-    .question = "Do grown trees keep the laws that the thesis' description of space colonization implies?",
+    .question =
+        "Do grown trees keep the laws that the thesis' description of space colonization implies?",
     .source = "[Brzoska2019] sec. 3.4.4, 4.1, 5.2",
     .seconds = {5, 5, 5},
     .run = run,

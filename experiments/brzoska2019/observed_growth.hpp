@@ -9,8 +9,9 @@
 
 namespace phytobench::experiments::brzoska2019 {
 
-/// An engine that lets an experiment look at every answer before the tree grows on it. `nodes` are all
-/// searchable nodes so far; `seen` is called after each association, `removed` after each removal.
+/// An engine that lets an experiment look at every answer before the tree grows on it. `nodes` are
+/// all searchable nodes so far; `seen` is called after each association, `removed` after each
+/// removal.
 class ObservedEngine final : public NearestNodeEngine {
  public:
   explicit ObservedEngine(const EngineDescriptor& engine) : inner_(engine.create()) {}
@@ -28,7 +29,8 @@ class ObservedEngine final : public NearestNodeEngine {
     return assignment;
   }
 
-  std::span<const PointIndex> kill(std::span<const SearchableNode> killers, double distance) override {
+  std::span<const PointIndex> kill(std::span<const SearchableNode> killers,
+                                   double distance) override {
     const auto removed = inner_->kill(killers, distance);
     for (const PointIndex point : removed) alive[static_cast<std::size_t>(point)] = false;
     if (killed) killed(killers, distance);

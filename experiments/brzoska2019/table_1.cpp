@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// [Brzoska2019] Table 1: the thesis' test tree grown with four ways to find the nearest node, each with the
-// loop options S, D, N and D&N. Work is counted and compared with the literal oracle first; only then are
-// the sixteen cells timed, in a new random order every round.
+// [Brzoska2019] Table 1: the thesis' test tree grown with four ways to find the nearest node, each
+// with the loop options S, D, N and D&N. Work is counted and compared with the literal oracle
+// first; only then are the sixteen cells timed, in a new random order every round.
 #include <set>
 
 #include <fmt/format.h>
@@ -30,12 +30,15 @@ std::vector<Cell> table_cells(int threads) {
   std::vector<Cell> cells;
   for (std::size_t row = 0; row < rows.size(); ++row)
     for (const std::string& column : table.texts("columns"))
-      cells.push_back({rows[row] + "." + column, &engine_named(engines.at(row)),
+      cells.push_back({rows[row] + "." + column,
+                       &engine_named(engines.at(row)),
                        {.options = loop_options_named(column), .threads = threads}});
   return cells;
 }
 
-RecordValue whole(std::uint64_t count) { return static_cast<std::int64_t>(count); }
+RecordValue whole(std::uint64_t count) {
+  return static_cast<std::int64_t>(count);
+}
 
 void record_work(ExperimentContext& context, const Cell& cell, const GrowthResult& result) {
   const auto name = [&](const char* quantity) { return cell.name + "/" + quantity; };
@@ -59,10 +62,10 @@ std::string passes_csv(const std::vector<std::pair<std::string, GrowthResult>>& 
       "suppressed_repeats,removed_points,search_evaluations,kill_evaluations\n";
   for (const auto& [name, result] : scans)
     for (const PassStatistics& pass : result.passes)
-      csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", name, pass.iteration, pass.live_points,
-                         pass.searchable_nodes, pass.queried_points, pass.associated_points,
-                         pass.new_nodes, pass.suppressed_repeats, pass.removed_points,
-                         pass.search_evaluations, pass.kill_evaluations);
+      csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", name, pass.iteration,
+                         pass.live_points, pass.searchable_nodes, pass.queried_points,
+                         pass.associated_points, pass.new_nodes, pass.suppressed_repeats,
+                         pass.removed_points, pass.search_evaluations, pass.kill_evaluations);
   return csv;
 }
 
@@ -74,7 +77,7 @@ struct VerifiedCell {
 
 /// Compares every cell with the oracle and records its work. Returns the cells that agree.
 std::vector<VerifiedCell> check_cells(ExperimentContext& context, const Seedling& seedling,
-                              const GrowthOracle& oracle) {
+                                      const GrowthOracle& oracle) {
   std::vector<VerifiedCell> verified;
   std::vector<std::pair<std::string, GrowthResult>> scans;
   std::set<std::string> trees;
@@ -98,9 +101,12 @@ std::vector<VerifiedCell> check_cells(ExperimentContext& context, const Seedling
 
 int timing_rounds(Tier tier) {
   switch (tier) {
-    case Tier::smoke: return 0;
-    case Tier::quick: return 9;
-    case Tier::full: return 25;
+    case Tier::smoke:
+      return 0;
+    case Tier::quick:
+      return 9;
+    case Tier::full:
+      return 25;
   }
   return 0;
 }
@@ -143,7 +149,8 @@ void run(ExperimentContext& context) {
   std::size_t repeats = 0;
   for (const PassStatistics& pass : tree.passes) repeats += pass.suppressed_repeats;
   context.record("suppressed_repeats", whole(repeats));
-  context.artifact("tree.svg", skeleton_svg(tree.skeleton, "Test tree of Table 1 (figure 51), bare skeleton"));
+  context.artifact("tree.svg",
+                   skeleton_svg(tree.skeleton, "Test tree of Table 1 (figure 51), bare skeleton"));
 
   time_cells(context, verified);
 }
@@ -153,7 +160,8 @@ void run(ExperimentContext& context) {
 extern const ExperimentDescriptor table_1;
 constinit const ExperimentDescriptor table_1{
     .id = "brzoska2019/table-1",
-    .question = "Which way to find the nearest node, with which loop option, grows the test tree fastest?",
+    .question =
+        "Which way to find the nearest node, with which loop option, grows the test tree fastest?",
     .source = "[Brzoska2019] sec. 5.2.2, Table 1",
     .seconds = {10, 80, 200},
     .run = run,

@@ -8,11 +8,15 @@ namespace phytobench::experiments::brzoska2019 {
 
 namespace {
 
-std::filesystem::path parameters_file() { return paper_folder("brzoska2019") / "parameters.toml"; }
+std::filesystem::path parameters_file() {
+  return paper_folder("brzoska2019") / "parameters.toml";
+}
 
 }  // namespace
 
-TomlTable thesis_parameters() { return TomlTable::read(parameters_file()); }
+TomlTable thesis_parameters() {
+  return TomlTable::read(parameters_file());
+}
 
 TreeParameters thesis_tree(const std::string& name, const std::string& replacing_table) {
   std::vector<std::string> tables{"tree." + name};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The printed equations of [Brzoska2019], literally, and beside each misprint the corrected form. Shares no
-// code with core/, so that agreement means something.
+// The printed equations of [Brzoska2019], literally, and beside each misprint the corrected form.
+// Shares no code with core/, so that agreement means something.
 #pragma once
 
 #include <cmath>
@@ -13,15 +13,29 @@ struct Point {
   double x, y, z;
 };
 
-inline Point plus(Point a, Point b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Point minus(Point a, Point b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Point times(double s, Point a) { return {s * a.x, s * a.y, s * a.z}; }
-inline Point over(Point a, double s) { return {a.x / s, a.y / s, a.z / s}; }
-inline double scalar_product(Point a, Point b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline double length(Point a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
+inline Point plus(Point a, Point b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Point minus(Point a, Point b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Point times(double s, Point a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+inline Point over(Point a, double s) {
+  return {a.x / s, a.y / s, a.z / s};
+}
+inline double scalar_product(Point a, Point b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline double length(Point a) {
+  return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
+}
 
 // Eq. 8: the new node stands D from its parent.
-inline Point equation_8(Point v, double D, Point n_hat) { return plus(v, times(D, n_hat)); }
+inline Point equation_8(Point v, double D, Point n_hat) {
+  return plus(v, times(D, n_hat));
+}
 
 // Eq. 9, the sum: unit vectors to the attraction points S(v).
 inline Point equation_9_sum(Point v, const std::vector<Point>& S) {
@@ -38,7 +52,9 @@ inline Point sentence_before_equation_8_sum(Point v, const std::vector<Point>& S
 }
 
 // Eq. 9, normalised. 0/0 for a zero sum, which the thesis does not mention.
-inline Point equation_9(Point sum) { return over(sum, length(sum)); }
+inline Point equation_9(Point sum) {
+  return over(sum, length(sum));
+}
 
 // Eq. 10 as printed: n is made a unit vector before tropism joins it.
 inline Point equation_10_as_printed(Point sum, Point g) {
@@ -52,22 +68,27 @@ inline Point equation_10_corrected(Point sum, Point g) {
 }
 
 // Fig. 33 and the missing eq. 16.
-inline double sig(double x) { return 1.0 / (1.0 + std::exp(-x)); }
+inline double sig(double x) {
+  return 1.0 / (1.0 + std::exp(-x));
+}
 
 // Eq. 17 as printed. n = 1 divides by zero.
-inline double equation_17_as_printed(double begin, double end, double sig_min, double sig_max, int n, int i) {
+inline double equation_17_as_printed(double begin, double end, double sig_min, double sig_max,
+                                     int n, int i) {
   return begin - sig(sig_min + (sig_max - sig_min) / (n - 1) * i) * (begin - end);
 }
 
-// Eq. 17 as the published trees need it: the squares are interpolated; n = 1 stays at the beginning.
-inline double equation_17_corrected(double begin, double end, double sig_min, double sig_max, int n, int i) {
+// Eq. 17 as the published trees need it: the squares are interpolated; n = 1 stays at the
+// beginning.
+inline double equation_17_corrected(double begin, double end, double sig_min, double sig_max, int n,
+                                    int i) {
   if (n == 1) return begin;
   double x = sig_min + (sig_max - sig_min) / (n - 1) * i;
   return std::sqrt(begin * begin - sig(x) * (begin * begin - end * end));
 }
 
-// Volume of the unit ball between the planes y = a and y = b by the formula for a spherical segment,
-// pi h / 6 (3 r1^2 + 3 r2^2 + h^2); the thesis names V_base without a formula.
+// Volume of the unit ball between the planes y = a and y = b by the formula for a spherical
+// segment, pi h / 6 (3 r1^2 + 3 r2^2 + h^2); the thesis names V_base without a formula.
 inline double base_volume(double cutoff_bottom, double cutoff_top) {
   double a = -1 + 2 * cutoff_bottom;
   double b = 1 - 2 * cutoff_top;
@@ -78,18 +99,26 @@ inline double base_volume(double cutoff_bottom, double cutoff_top) {
 }
 
 // Eq. 21.
-inline double equation_21(double determinant, double v_base) { return determinant * v_base; }
+inline double equation_21(double determinant, double v_base) {
+  return determinant * v_base;
+}
 
 // Eq. 22 as printed: a density in the denominator.
-inline double equation_22_as_printed(double v_target, double rho) { return v_target / rho; }
+inline double equation_22_as_printed(double v_target, double rho) {
+  return v_target / rho;
+}
 
 // Eq. 22 corrected: volume times density, rounded up to whole points.
-inline double equation_22_corrected(double v_target, double rho) { return std::ceil(v_target * rho); }
+inline double equation_22_corrected(double v_target, double rho) {
+  return std::ceil(v_target * rho);
+}
 
 // Eq. 23 and 24.
 inline double equation_24(Point p, Point q) {
   return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y) + (p.z - q.z) * (p.z - q.z);
 }
-inline double equation_23(Point p, Point q) { return std::sqrt(equation_24(p, q)); }
+inline double equation_23(Point p, Point q) {
+  return std::sqrt(equation_24(p, q));
+}
 
 }  // namespace phytobench::oracles::brzoska2019

@@ -17,7 +17,8 @@ TEST(PrintedEquationsOracle, GiveTheWorkedExamples) {
 TEST(PrintedEquationsOracle, SquaredInterpolationHasTheSameEnds) {
   EXPECT_NEAR(equation_17_corrected(2, 1.2, -50, 50, 30, 0), 2.0, 1e-12);
   EXPECT_NEAR(equation_17_corrected(2, 1.2, -50, 50, 30, 29), 1.2, 1e-12);
-  EXPECT_GT(equation_17_corrected(2, 1.2, -8, 8, 30, 14), equation_17_as_printed(2, 1.2, -8, 8, 30, 14));
+  EXPECT_GT(equation_17_corrected(2, 1.2, -8, 8, 30, 14),
+            equation_17_as_printed(2, 1.2, -8, 8, 30, 14));
 }
 
 TEST(PrintedEquationsOracle, BaseVolumeOfSimpleCutsIsKnown) {

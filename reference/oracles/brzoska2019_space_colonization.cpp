@@ -10,9 +10,9 @@ namespace {
 struct Growth {
   const GrowthProblem& problem;
   GrownTree tree;
-  std::vector<Point> direction;      // per node
-  std::vector<bool> flagged;         // per point: removed (the thesis' boolean array)
-  std::vector<int> new_nodes;        // of the iteration before
+  std::vector<Point> direction;  // per node
+  std::vector<bool> flagged;     // per point: removed (the thesis' boolean array)
+  std::vector<int> new_nodes;    // of the iteration before
 
   explicit Growth(const GrowthProblem& p)
       : problem(p), direction(p.start_directions), flagged(p.attraction_points.size(), false) {
@@ -125,13 +125,15 @@ struct Growth {
     if (i == 0) {
       killers.push_back(0);
       if (problem.departures.crown_stem_kills)
-        for (std::size_t v = 1; v < problem.start_nodes.size(); ++v) killers.push_back(static_cast<int>(v));
+        for (std::size_t v = 1; v < problem.start_nodes.size(); ++v)
+          killers.push_back(static_cast<int>(v));
     }
     killers.insert(killers.end(), new_nodes.begin(), new_nodes.end());
     return killers;
   }
 
-  void remove_points(const std::vector<int>& killers, double d_c, bool strictly, bool in_cone_only) {
+  void remove_points(const std::vector<int>& killers, double d_c, bool strictly,
+                     bool in_cone_only) {
     std::vector<int> removed;
     for (std::size_t s = 0; s < flagged.size(); ++s) {
       if (flagged[s]) continue;
@@ -139,7 +141,8 @@ struct Growth {
       for (int v : killers) {
         const double squared = equation_24(p, tree.nodes[static_cast<std::size_t>(v)]);
         const bool near = strictly ? squared < d_c * d_c : squared <= d_c * d_c;
-        if (near && (!in_cone_only || perceives(static_cast<std::size_t>(v), p, std::sqrt(squared))))
+        if (near &&
+            (!in_cone_only || perceives(static_cast<std::size_t>(v), p, std::sqrt(squared))))
           flagged[s] = true;
       }
       if (flagged[s]) removed.push_back(static_cast<int>(s));

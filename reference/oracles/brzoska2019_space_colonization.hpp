@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Space colonization as [Brzoska2019] sec. 3.4.4 describes it, in the plainest loops. Slow on purpose: every
-// engine and every loop option is judged against this. Shares no code with core/.
+// Space colonization as [Brzoska2019] sec. 3.4.4 describes it, in the plainest loops. Slow on
+// purpose: every engine and every loop option is judged against this. Shares no code with core/.
 #pragma once
 
 #include <functional>
@@ -17,11 +17,11 @@ struct Departures {
   bool cone_after_search = false;         ///< nearest node first, perception angle afterwards
   bool no_repeat_guard = false;           ///< the same child may be made again
   bool crown_stem_kills = false;          ///< trunk nodes inside the crown remove points too
-  bool all_nodes_kill = false;            ///< every node so far removes points, not only the new ones
+  bool all_nodes_kill = false;  ///< every node so far removes points, not only the new ones
 };
 
-/// Removal at the start of the next iteration (option D), and the five conditions under which that grows
-/// the same tree; `true` keeps a condition.
+/// Removal at the start of the next iteration (option D), and the five conditions under which that
+/// grows the same tree; `true` keeps a condition.
 struct DeferredRemoval {
   bool enabled = false;
   bool first_pass_removes_nothing = true;       ///< condition 1
@@ -54,8 +54,8 @@ struct GrowthPass {
 struct GrownTree {
   std::vector<Point> nodes;
   std::vector<int> parents;
-  std::vector<GrowthPass> passes;            ///< one per executed iteration
-  std::vector<std::vector<int>> removals;    ///< the points of each removal, in the order of removals
+  std::vector<GrowthPass> passes;          ///< one per executed iteration
+  std::vector<std::vector<int>> removals;  ///< the points of each removal, in the order of removals
 };
 
 GrownTree grow(const GrowthProblem& problem);

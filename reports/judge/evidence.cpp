@@ -12,8 +12,9 @@ Evidence::Evidence(const RunContents& run) {
   for (const Record& record : run.records) records_[record.measurement] = record.value;
   for (const TimingSample& sample : run.timings) timings_[sample.measurement].push_back(sample);
   for (auto& [measurement, samples] : timings_)
-    std::stable_sort(samples.begin(), samples.end(),
-                     [](const TimingSample& a, const TimingSample& b) { return a.round < b.round; });
+    std::stable_sort(
+        samples.begin(), samples.end(),
+        [](const TimingSample& a, const TimingSample& b) { return a.round < b.round; });
 }
 
 bool Evidence::has(const std::string& measurement) const {

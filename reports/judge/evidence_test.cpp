@@ -22,14 +22,12 @@ TimingSample sample_of(const std::string& measurement, std::int64_t round, doubl
 
 RunContents mixed_run() {
   RunContents run;
-  run.records.push_back({.experiment = "p/e",
-                         .measurement = "p/e/count",
-                         .value = RecordValue{std::int64_t{7}}});
+  run.records.push_back(
+      {.experiment = "p/e", .measurement = "p/e/count", .value = RecordValue{std::int64_t{7}}});
   run.records.push_back(
       {.experiment = "p/e", .measurement = "p/e/real", .value = RecordValue{0.5}});
-  run.records.push_back({.experiment = "p/e",
-                         .measurement = "p/e/text",
-                         .value = RecordValue{std::string("left")}});
+  run.records.push_back(
+      {.experiment = "p/e", .measurement = "p/e/text", .value = RecordValue{std::string("left")}});
   run.timings = {sample_of("p/e/seconds", 2, 0.25), sample_of("p/e/seconds", 0, 1.0),
                  sample_of("p/e/seconds", 1, 0.5)};
   return run;

@@ -11,7 +11,8 @@ namespace phytobench {
 
 namespace {
 
-/// "brzoska2019/table-1/voxel.s/seconds" -> "voxel.s/seconds": the experiment is clear from the claim.
+/// "brzoska2019/table-1/voxel.s/seconds" -> "voxel.s/seconds": the experiment is clear from the
+/// claim.
 std::string short_name(const std::string& measurement) {
   const std::size_t first = measurement.find('/');
   const std::size_t second = first == std::string::npos ? first : measurement.find('/', first + 1);
@@ -23,15 +24,16 @@ std::string expression_of(const ClaimCheck& check, const std::vector<std::string
     case CheckSubject::ratio:
       return short_name(term[0]) + " : " + short_name(term[1]);
     case CheckSubject::ratio_of_ratios:
-      return "(" + short_name(term[0]) + " : " + short_name(term[1]) + ") : (" + short_name(term[2]) + " : " +
-             short_name(term[3]) + ")";
+      return "(" + short_name(term[0]) + " : " + short_name(term[1]) + ") : (" +
+             short_name(term[2]) + " : " + short_name(term[3]) + ")";
     case CheckSubject::sum: {
       std::string text;
       for (const std::string& part : term)
         text += (text.empty() ? "" : " ") + part.substr(0, 1) + " " + short_name(part.substr(1));
       return text;
     }
-    default: break;
+    default:
+      break;
   }
   std::string text;
   for (const std::string& part : term) text += (text.empty() ? "" : ", ") + short_name(part);
@@ -44,14 +46,22 @@ std::string id_of(const ClaimCheck& check, const std::string& part) {
 
 std::string wanted_of(const ClaimCheck& check) {
   std::string text;
-  if (check.subject == CheckSubject::same) text = "all the same";
-  else if (check.subject == CheckSubject::different) text = "not all the same";
-  else if (check.equals_text) text = "= " + *check.equals_text;
-  else if (check.equals) text = "= " + shown(*check.equals);
-  else if (check.low && check.high) text = fmt::format("{} to {}", shown(*check.low), shown(*check.high));
-  else if (check.low) text = ">= " + shown(*check.low);
-  else text = "<= " + shown(*check.high);
-  if (check.terms.size() > 1) text += fmt::format(" in {} of {}", check.required, check.terms.size());
+  if (check.subject == CheckSubject::same)
+    text = "all the same";
+  else if (check.subject == CheckSubject::different)
+    text = "not all the same";
+  else if (check.equals_text)
+    text = "= " + *check.equals_text;
+  else if (check.equals)
+    text = "= " + shown(*check.equals);
+  else if (check.low && check.high)
+    text = fmt::format("{} to {}", shown(*check.low), shown(*check.high));
+  else if (check.low)
+    text = ">= " + shown(*check.low);
+  else
+    text = "<= " + shown(*check.high);
+  if (check.terms.size() > 1)
+    text += fmt::format(" in {} of {}", check.required, check.terms.size());
   return text;
 }
 
@@ -59,14 +69,17 @@ std::string wanted_of(const ClaimCheck& check) {
 double combine(const ClaimCheck& check, const std::vector<std::string>& term,
                const std::vector<double>& v) {
   switch (check.subject) {
-    case CheckSubject::ratio: return v[0] / v[1];
-    case CheckSubject::ratio_of_ratios: return (v[0] / v[1]) / (v[2] / v[3]);
+    case CheckSubject::ratio:
+      return v[0] / v[1];
+    case CheckSubject::ratio_of_ratios:
+      return (v[0] / v[1]) / (v[2] / v[3]);
     case CheckSubject::sum: {
       double sum = 0.0;
       for (std::size_t i = 0; i < v.size(); ++i) sum += term[i][0] == '-' ? -v[i] : v[i];
       return sum;
     }
-    default: return v[0];
+    default:
+      return v[0];
   }
 }
 
@@ -93,9 +106,11 @@ JudgedTerm judge_comparison(const ClaimCheck& check, const std::vector<std::stri
     if (!value) return judged;
     values.push_back(shown(*value));
   }
-  const bool same = std::all_of(values.begin(), values.end(), [&](const auto& v) { return v == values[0]; });
+  const bool same =
+      std::all_of(values.begin(), values.end(), [&](const auto& v) { return v == values[0]; });
   judged.measured = same ? values[0] : fmt::format("{}", fmt::join(values, ", "));
-  judged.outcome = same == (check.subject == CheckSubject::same) ? CheckOutcome::holds : CheckOutcome::fails;
+  judged.outcome =
+      same == (check.subject == CheckSubject::same) ? CheckOutcome::holds : CheckOutcome::fails;
   return judged;
 }
 
@@ -108,7 +123,8 @@ JudgedTerm judge_term(const ClaimCheck& check, const std::vector<std::string>& t
     const auto value = evidence.recorded(term[0]);
     if (!value) return judged;
     judged.measured = shown(*value);
-    judged.outcome = judged.measured == *check.equals_text ? CheckOutcome::holds : CheckOutcome::fails;
+    judged.outcome =
+        judged.measured == *check.equals_text ? CheckOutcome::holds : CheckOutcome::fails;
     return judged;
   }
   // Pair the samples of each round; a recorded value is the same in every round.
@@ -148,17 +164,22 @@ JudgedCheck judge_check(const ClaimCheck& check, const Evidence& evidence) {
     undecided += outcome == CheckOutcome::undecided;
     missing += outcome == CheckOutcome::missing;
   }
-  if (missing > 0) judged.outcome = CheckOutcome::missing;
-  else if (holds >= check.required) judged.outcome = CheckOutcome::holds;
-  else if (holds + undecided < check.required) judged.outcome = CheckOutcome::fails;
-  else judged.outcome = CheckOutcome::undecided;
+  if (missing > 0)
+    judged.outcome = CheckOutcome::missing;
+  else if (holds >= check.required)
+    judged.outcome = CheckOutcome::holds;
+  else if (holds + undecided < check.required)
+    judged.outcome = CheckOutcome::fails;
+  else
+    judged.outcome = CheckOutcome::undecided;
   return judged;
 }
 
 /// The worst outcome decides; a failed check needs no other evidence.
 Verdict verdict_of(const Claim& claim, const std::vector<JudgedCheck>& checks) {
   const auto any = [&](CheckOutcome outcome) {
-    return std::any_of(checks.begin(), checks.end(), [&](const auto& c) { return c.outcome == outcome; });
+    return std::any_of(checks.begin(), checks.end(),
+                       [&](const auto& c) { return c.outcome == outcome; });
   };
   if (any(CheckOutcome::fails)) return Verdict::not_reproduced;
   if (any(CheckOutcome::missing)) return Verdict::not_measured;
@@ -180,7 +201,8 @@ std::string short_measured(const std::vector<JudgedCheck>& checks) {
     if (!text.empty()) text += "; ";
     std::vector<std::string> values;
     for (const JudgedTerm& term : check.terms) values.push_back(term.measured);
-    const bool alike = std::all_of(values.begin(), values.end(), [&](const auto& v) { return v == values[0]; });
+    const bool alike =
+        std::all_of(values.begin(), values.end(), [&](const auto& v) { return v == values[0]; });
     text += alike ? values[0] : fmt::format("{}", fmt::join(values, ", "));
   }
   return text;
@@ -199,7 +221,8 @@ Judgement judge(const Claim& claim, const Evidence& evidence, Tier tier) {
     judgement.verdict = *claim.fixed_verdict;
     return judgement;
   }
-  for (const ClaimCheck& check : claim.checks) judgement.checks.push_back(judge_check(check, evidence));
+  for (const ClaimCheck& check : claim.checks)
+    judgement.checks.push_back(judge_check(check, evidence));
   judgement.measured = short_measured(judgement.checks);
   std::int64_t threads = 1;
   for_each_measurement(claim, [&](const std::string& measurement) {
@@ -208,14 +231,16 @@ Judgement judge(const Claim& claim, const Evidence& evidence, Tier tier) {
   });
   if (threads > 1) {
     judgement.verdict = Verdict::not_measured;
-    judgement.reason = "timed with several threads, the thesis' program used one; run with --threads 1";
+    judgement.reason =
+        "timed with several threads, the thesis' program used one; run with --threads 1";
     return judgement;
   }
   judgement.verdict = verdict_of(claim, judgement.checks);
   if (judgement.verdict == Verdict::not_measured)
-    judgement.reason = tier < claim.tier
-                           ? fmt::format("needs tier {}, this run is tier {}", name_of(claim.tier), name_of(tier))
-                           : "this run did not include the experiment that measures it";
+    judgement.reason =
+        tier < claim.tier
+            ? fmt::format("needs tier {}, this run is tier {}", name_of(claim.tier), name_of(tier))
+            : "this run did not include the experiment that measures it";
   return judgement;
 }
 

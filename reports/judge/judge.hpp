@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The judge: a pure function from a claim and the evidence to a verdict. It never runs a model and never
-// reads a file.
+// The judge: a pure function from a claim and the evidence to a verdict. It never runs a model and
+// never reads a file.
 #pragma once
 
 #include <string>
@@ -35,8 +35,8 @@ struct Judgement {
   std::vector<JudgedCheck> checks;
   bool varies = false;  ///< rests on times, which differ between equal runs
 
-  /// Whether the verdict contradicts the claim's expected one. Missing evidence and noise contradict
-  /// nothing.
+  /// Whether the verdict contradicts the claim's expected one. Missing evidence and noise
+  /// contradict nothing.
   bool is_unexpected() const;
 };
 

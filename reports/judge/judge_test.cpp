@@ -22,8 +22,12 @@ using Terms = std::vector<std::vector<std::string>>;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double one_ulp_above(double bound) { return std::nextafter(bound, infinity); }
-double one_ulp_below(double bound) { return std::nextafter(bound, -infinity); }
+double one_ulp_above(double bound) {
+  return std::nextafter(bound, infinity);
+}
+double one_ulp_below(double bound) {
+  return std::nextafter(bound, -infinity);
+}
 
 Record measured(const std::string& measurement, RecordValue value) {
   return {.experiment = "p/e", .measurement = measurement, .value = std::move(value)};
@@ -131,7 +135,9 @@ struct CheckCase {
   std::vector<Record> fails;
 };
 
-void PrintTo(const CheckCase& check_case, std::ostream* out) { *out << check_case.name; }
+void PrintTo(const CheckCase& check_case, std::ostream* out) {
+  *out << check_case.name;
+}
 
 std::vector<CheckCase> value_cases() {
   return {
@@ -249,7 +255,8 @@ std::vector<CheckCase> all_cases() {
 class JudgeCheck : public testing::TestWithParam<CheckCase> {};
 
 TEST_P(JudgeCheck, ThatHoldsIsReproduced) {
-  const Judgement judgement = judge(claim_of({GetParam().check}), evidence_of(GetParam().holds), {});
+  const Judgement judgement =
+      judge(claim_of({GetParam().check}), evidence_of(GetParam().holds), {});
   EXPECT_EQ(judgement.verdict, Verdict::reproduced) << judgement.measured;
   ASSERT_EQ(judgement.checks.size(), 1u);
   EXPECT_EQ(judgement.checks[0].outcome, CheckOutcome::holds);
@@ -258,7 +265,8 @@ TEST_P(JudgeCheck, ThatHoldsIsReproduced) {
 }
 
 TEST_P(JudgeCheck, ThatFailsIsNotReproduced) {
-  const Judgement judgement = judge(claim_of({GetParam().check}), evidence_of(GetParam().fails), {});
+  const Judgement judgement =
+      judge(claim_of({GetParam().check}), evidence_of(GetParam().fails), {});
   EXPECT_EQ(judgement.verdict, Verdict::not_reproduced) << judgement.measured;
   ASSERT_EQ(judgement.checks.size(), 1u);
   EXPECT_EQ(judgement.checks[0].outcome, CheckOutcome::fails);
@@ -278,16 +286,14 @@ INSTANTIATE_TEST_SUITE_P(All, JudgeCheck, testing::ValuesIn(all_cases()),
 
 TEST(Judge, TakesNoNumberForNotANumber) {
   const std::vector<ClaimCheck> checks = {
-      exactly(1.0, value_of_a),
-      at_least(1.0, value_of_a),
-      at_most(1.0, value_of_a),
-      at_least(-1.0, at_most(1.0, value_of_a)),
-      at_least(0.0, a_over_b),
-      at_most(0.0, ratio_of_two_ratios),
+      exactly(1.0, value_of_a), at_least(1.0, value_of_a),
+      at_most(1.0, value_of_a), at_least(-1.0, at_most(1.0, value_of_a)),
+      at_least(0.0, a_over_b),  at_most(0.0, ratio_of_two_ratios),
       at_least(0.0, a_minus_b),
   };
-  const Evidence evidence = evidence_of({measured_real("p/e/a", not_a_number), measured_real("p/e/b", 1.0),
-                                         measured_real("p/e/c", 1.0), measured_real("p/e/d", 1.0)});
+  const Evidence evidence =
+      evidence_of({measured_real("p/e/a", not_a_number), measured_real("p/e/b", 1.0),
+                   measured_real("p/e/c", 1.0), measured_real("p/e/d", 1.0)});
   for (const ClaimCheck& check : checks)
     EXPECT_EQ(verdict_on({check}, evidence), Verdict::not_reproduced);
 }
@@ -299,8 +305,7 @@ TEST(Judge, DoesNotTakeATextForANumber) {
 
 TEST(Judge, FlipsWhenNumeratorAndDenominatorAreSwapped) {
   const ClaimCheck b_over_a = check_of(CheckSubject::ratio, {{"p/e/b", "p/e/a"}});
-  const Evidence counted =
-      evidence_of({measured_count("p/e/a", 3), measured_count("p/e/b", 2)});
+  const Evidence counted = evidence_of({measured_count("p/e/a", 3), measured_count("p/e/b", 2)});
   EXPECT_EQ(verdict_on({at_least(1.0, a_over_b)}, counted), Verdict::reproduced);
   EXPECT_EQ(verdict_on({at_least(1.0, b_over_a)}, counted), Verdict::not_reproduced);
   const Evidence clocked =
@@ -348,8 +353,7 @@ TEST(JudgeTiming, IsInconclusiveWithABoundInsideTheInterval) {
 }
 
 TEST(JudgeTiming, ThatIsInconclusiveDecidesNeitherAgainstAFailureNorAgainstAGap) {
-  const Evidence evidence =
-      evidence_of({measured_count("p/e/b", 1)}, timed("p/e/a", nine_rounds));
+  const Evidence evidence = evidence_of({measured_count("p/e/b", 1)}, timed("p/e/a", nine_rounds));
   const ClaimCheck undecided = at_least(5.0, value_of_a);
   const ClaimCheck fails = exactly(2.0, check_of(CheckSubject::value, {{"p/e/b"}}));
   const ClaimCheck missing = exactly(2.0, check_of(CheckSubject::value, {{"p/e/missing"}}));
@@ -400,16 +404,18 @@ TEST(JudgeTiming, OfASingleRoundIsNotMeasuredAndNamesTheTier) {
 }
 
 TEST(JudgeTiming, OfUnequalNumbersOfRoundsIsNotMeasured) {
-  const Evidence evidence = evidence_of(
-      {}, together(timed("p/e/a", {2.0, 2.0, 2.0}), timed("p/e/b", {1.0, 1.0})));
+  const Evidence evidence =
+      evidence_of({}, together(timed("p/e/a", {2.0, 2.0, 2.0}), timed("p/e/b", {1.0, 1.0})));
   EXPECT_EQ(verdict_on({exactly(2.0, a_over_b)}, evidence), Verdict::not_measured);
 }
 
 TEST(JudgeTiming, OfSeveralThreadsIsNotMeasuredAndSaysWhy) {
   const ClaimCheck holds = at_least(1.0, value_of_a);
-  const Judgement one = judge(claim_of({holds}), evidence_of({}, timed("p/e/a", {2.0, 2.0}, 1)), {});
+  const Judgement one =
+      judge(claim_of({holds}), evidence_of({}, timed("p/e/a", {2.0, 2.0}, 1)), {});
   EXPECT_EQ(one.verdict, Verdict::reproduced);
-  const Judgement two = judge(claim_of({holds}), evidence_of({}, timed("p/e/a", {2.0, 2.0}, 2)), {});
+  const Judgement two =
+      judge(claim_of({holds}), evidence_of({}, timed("p/e/a", {2.0, 2.0}, 2)), {});
   EXPECT_EQ(two.verdict, Verdict::not_measured);
   EXPECT_THAT(two.reason, HasSubstr("several threads"));
   EXPECT_THAT(two.reason, HasSubstr("--threads 1"));
@@ -517,8 +523,8 @@ TEST(JudgeLaw, WiderBoundsNeverMakeAVerdictWorse) {
 TEST(JudgeLaw, MoreRequiredTermsNeverMakeAVerdictBetter) {
   const Evidence evidence = evidence_of({measured_count("p/e/a", 1), measured_count("p/e/b", 0),
                                          measured_count("p/e/c", 1), measured_count("p/e/d", 0)});
-  const ClaimCheck check = exactly(
-      1.0, check_of(CheckSubject::value, {{"p/e/a"}, {"p/e/b"}, {"p/e/c"}, {"p/e/d"}}));
+  const ClaimCheck check =
+      exactly(1.0, check_of(CheckSubject::value, {{"p/e/a"}, {"p/e/b"}, {"p/e/c"}, {"p/e/d"}}));
   for (std::size_t required = 1; required <= 4; ++required)
     EXPECT_EQ(verdict_on({in_at_least(required, check)}, evidence),
               required <= 2 ? Verdict::reproduced : Verdict::not_reproduced);

@@ -22,8 +22,9 @@ Place largest_of(const std::vector<std::vector<double>>& values) {
 
 /// Medians of one quantity in every cell; `complete` says whether each had evidence.
 template <class Id>
-std::vector<std::vector<Estimate>> cell_estimates(const PublishedTable& table, const Evidence& evidence,
-                                                  const Id& id, bool& complete) {
+std::vector<std::vector<Estimate>> cell_estimates(const PublishedTable& table,
+                                                  const Evidence& evidence, const Id& id,
+                                                  bool& complete) {
   std::vector<std::vector<Estimate>> values;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     auto& own = values.emplace_back();
@@ -36,10 +37,13 @@ std::vector<std::vector<Estimate>> cell_estimates(const PublishedTable& table, c
   return values;
 }
 
-std::vector<JudgedCompanion> judge_companions(const PublishedTable& table, const Evidence& evidence) {
+std::vector<JudgedCompanion> judge_companions(const PublishedTable& table,
+                                              const Evidence& evidence) {
   std::vector<JudgedCompanion> companions;
   for (const std::string& name : table.companions) {
-    const auto id = [&](std::size_t row, std::size_t column) { return table.companion_at(row, column, name); };
+    const auto id = [&](std::size_t row, std::size_t column) {
+      return table.companion_at(row, column, name);
+    };
     bool complete = true;
     auto values = cell_estimates(table, evidence, id, complete);
     if (complete) companions.push_back({name, evidence.is_timing(id(0, 0)), std::move(values)});
@@ -52,7 +56,9 @@ void divide_by_work(JudgedTable& judged, const Evidence& evidence) {
   const PublishedTable& table = *judged.table;
   if (table.per.empty()) return;
   bool complete = true;
-  const auto id = [&](std::size_t row, std::size_t column) { return table.companion_at(row, column, table.per); };
+  const auto id = [&](std::size_t row, std::size_t column) {
+    return table.companion_at(row, column, table.per);
+  };
   const auto work = cell_estimates(table, evidence, id, complete);
   if (!complete) return;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
@@ -69,7 +75,9 @@ void divide_by_work(JudgedTable& judged, const Evidence& evidence) {
 
 JudgedTable judge_table(const PublishedTable& table, const Evidence& evidence) {
   JudgedTable judged{.table = &table};
-  const auto id = [&](std::size_t row, std::size_t column) { return table.measurement_at(row, column); };
+  const auto id = [&](std::size_t row, std::size_t column) {
+    return table.measurement_at(row, column);
+  };
   judged.measured = true;
   judged.values = cell_estimates(table, evidence, id, judged.measured);
   judged.timed = evidence.is_timing(id(0, 0));
@@ -93,7 +101,8 @@ JudgedTable judge_table(const PublishedTable& table, const Evidence& evidence) {
     auto& shares = judged.share.emplace_back();
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
       const std::vector<double> samples = evidence.samples(id(row, column));
-      shares.push_back(samples.size() == slowest.size() ? paired_ratio_estimate(samples, slowest) : Estimate{});
+      shares.push_back(samples.size() == slowest.size() ? paired_ratio_estimate(samples, slowest)
+                                                        : Estimate{});
     }
   }
   return judged;

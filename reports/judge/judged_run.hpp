@@ -20,14 +20,15 @@ struct JudgedCompanion {
 /// A published table beside what was measured, in its own layout.
 struct JudgedTable {
   const PublishedTable* table = nullptr;
-  bool measured = false;                            ///< every cell has evidence
-  bool timed = false;                               ///< cells are times
-  std::vector<std::vector<Estimate>> values;        ///< per row and column
-  std::vector<std::vector<double>> published_share; ///< of the largest published cell
-  std::vector<std::vector<Estimate>> share;         ///< of the largest measured cell, paired by round
-  std::vector<JudgedCompanion> companions;          ///< those with evidence in every cell
-  std::vector<std::vector<double>> published_per;   ///< published value per unit of work; empty: none
-  std::vector<std::vector<double>> measured_per;    ///< median per unit of work; empty: none
+  bool measured = false;                             ///< every cell has evidence
+  bool timed = false;                                ///< cells are times
+  std::vector<std::vector<Estimate>> values;         ///< per row and column
+  std::vector<std::vector<double>> published_share;  ///< of the largest published cell
+  std::vector<std::vector<Estimate>> share;  ///< of the largest measured cell, paired by round
+  std::vector<JudgedCompanion> companions;   ///< those with evidence in every cell
+  std::vector<std::vector<double>>
+      published_per;                              ///< published value per unit of work; empty: none
+  std::vector<std::vector<double>> measured_per;  ///< median per unit of work; empty: none
 };
 
 struct JudgedPaper {

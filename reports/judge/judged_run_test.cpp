@@ -153,8 +153,7 @@ TEST(JudgedRun, ReproducesNothingWithoutEvidence) {
       const Claim& claim = paper.claims.claims[i];
       SCOPED_TRACE(claim.id);
       EXPECT_EQ(paper.judgements[i].claim, &claim);
-      EXPECT_EQ(paper.judgements[i].verdict,
-                claim.fixed_verdict.value_or(Verdict::not_measured));
+      EXPECT_EQ(paper.judgements[i].verdict, claim.fixed_verdict.value_or(Verdict::not_measured));
       EXPECT_FALSE(paper.judgements[i].is_unexpected());
       EXPECT_FALSE(paper.judgements[i].reason.empty());
     }

@@ -27,7 +27,8 @@ class EuclideanScan {
       const double squared = squared_distance(point, node.position);
       const double distance = std::sqrt(squared);
       if (distance > best_distance) continue;
-      // Two different squares may share one rounded root: the squares decide, as in every other engine.
+      // Two different squares may share one rounded root: the squares decide, as in every other
+      // engine.
       if (!(squared < best.squared_distance)) continue;
       if constexpr (counts_inner_loop) ++work.angle_tests;
       if (!perception.within_angle(node.position, node.direction, point, squared)) continue;
@@ -47,7 +48,8 @@ class EuclideanScan {
 extern const EngineDescriptor euclidean_scan;
 constinit const EngineDescriptor euclidean_scan{
     .name = "euclidean_scan",
-    .summary = "Compares every live point with every node by the Euclidean distance, one root per pair.",
+    .summary =
+        "Compares every live point with every node by the Euclidean distance, one root per pair.",
     .source = "[Brzoska2019] sec. 5.2.2, eq. 23",
     .create = make_point_driven_engine<EuclideanScan>,
 };

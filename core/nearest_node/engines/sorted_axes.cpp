@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Three lists of the nodes, sorted by x, y and z. A binary search in each finds the window of nodes within
-// the influence distance along that axis; the smallest window is scanned. [Brzoska2019] sec. 5.2.2 names
-// the lists and the binary search and leaves the rest open.
+// Three lists of the nodes, sorted by x, y and z. A binary search in each finds the window of nodes
+// within the influence distance along that axis; the smallest window is scanned. [Brzoska2019]
+// sec. 5.2.2 names the lists and the binary search and leaves the rest open.
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -22,8 +22,8 @@ class SortedAxes {
   void reset(std::span<const Vector3>, double influence_distance) {
     for (auto& list : lists_) list.clear();
     count_ = 0;
-    // Widened by one part in 2^40, so that rounding of coordinate +- distance cannot lose a node that the
-    // squared distance still admits.
+    // Widened by one part in 2^40, so that rounding of coordinate +- distance cannot lose a node
+    // that the squared distance still admits.
     reach_ = influence_distance * (1.0 + 0x1p-40);
   }
 
@@ -79,7 +79,9 @@ class SortedAxes {
     const double centre = coordinate(point, axis);
     // The margin of one part in 2^40 of the coordinate itself covers huge coordinates.
     const double margin = reach_ + std::abs(centre) * 0x1p-40;
-    const auto key = [axis](const ListedNode& listed) { return coordinate(listed.node.position, axis); };
+    const auto key = [axis](const ListedNode& listed) {
+      return coordinate(listed.node.position, axis);
+    };
     const auto first = std::partition_point(
         list.begin(), list.end(), [&](const ListedNode& n) { return key(n) < centre - margin; });
     const auto last = std::partition_point(
@@ -97,7 +99,9 @@ class SortedAxes {
 extern const EngineDescriptor sorted_axes;
 constinit const EngineDescriptor sorted_axes{
     .name = "sorted_axes",
-    .summary = "Keeps the nodes sorted along each axis and scans the smallest window found by binary search.",
+    .summary =
+        "Keeps the nodes sorted along each axis and scans the smallest window found by binary "
+        "search.",
     .source = "[Brzoska2019] sec. 5.2.2, binary search (idea attributed to Heywood)",
     .create = make_point_driven_engine<SortedAxes>,
 };

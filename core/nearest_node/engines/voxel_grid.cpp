@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A grid with cells as wide as the influence distance: the nearest node lies in a point's own cell or one
-// of its 26 neighbours ([Brzoska2019] sec. 5.2.2, fig. 35). Points never move, so the cell of each point
-// and the neighbours of each cell are found once. Only cells that some point can reach exist at all;
-// nodes elsewhere are never anybody's nearest within reach.
+// A grid with cells as wide as the influence distance: the nearest node lies in a point's own cell
+// or one of its 26 neighbours ([Brzoska2019] sec. 5.2.2, fig. 35). Points never move, so the cell
+// of each point and the neighbours of each cell are found once. Only cells that some point can
+// reach exist at all; nodes elsewhere are never anybody's nearest within reach.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,8 +39,9 @@ struct BinnedNode {
 class VoxelGrid {
  public:
   void reset(std::span<const Vector3> points, double influence_distance) {
-    // Slightly wider than the influence distance, and at most 2^30 cells from the origin to any point: a
-    // node exactly at the influence distance must not fall two cells away through rounding.
+    // Slightly wider than the influence distance, and at most 2^30 cells from the origin to any
+    // point: a node exactly at the influence distance must not fall two cells away through
+    // rounding.
     edge_ = std::max(influence_distance * (1.0 + 0x1p-20), largest_coordinate(points) * 0x1p-30);
     count_ = 0;
     cells_.clear();
@@ -136,7 +137,8 @@ class VoxelGrid {
 extern const EngineDescriptor voxel_grid;
 constinit const EngineDescriptor voxel_grid{
     .name = "voxel_grid",
-    .summary = "Looks into the 27 grid cells around a point; cells are as wide as the influence distance.",
+    .summary =
+        "Looks into the 27 grid cells around a point; cells are as wide as the influence distance.",
     .source = "[Brzoska2019] sec. 5.2.2, voxel grid (idea attributed to Schneider)",
     .create = make_point_driven_engine<VoxelGrid>,
 };
