@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads the command line and turns whatever happens into one line and an exit code. The only file
 // that includes the command-line library.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
@@ -11,6 +12,7 @@
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
+#include "core/contract/suggestion.hpp"
 
 namespace phytobench::cli {
 
@@ -105,6 +107,19 @@ std::string joined(int argc, char** argv) {
   return text;
 }
 
+/// The library would only say that some subcommand is required.
+void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(sub->get_name());
+  const std::string known =
+      fmt::format("; commands: {} (phytobench --help)", fmt::join(names, ", "));
+  if (argc < 2) throw InputError("no command given" + known);
+  const std::string first = argv[1];
+  if (first.starts_with("-") || std::find(names.begin(), names.end(), first) != names.end()) return;
+  throw InputError("unknown command '" + first + "'" + did_you_mean(first, names) + known);
+}
+
 int run_command_line(int argc, char** argv) {
   CLI::App app("phytobench: validation and benchmarks for computational plant models",
                "phytobench");
@@ -118,6 +133,7 @@ int run_command_line(int argc, char** argv) {
   add_report(app, commands);
   add_grow(app, commands);
   add_doctor(app, commands);
+  refuse_unknown_command(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -82,7 +82,7 @@ RunContents small_run() {
                          .unit = "edges",
                          .sample_size = 3,
                          .spread = 0.5,
-                         .seed = 7});
+                         .seed = std::uint64_t{7}});
   run.records.push_back({.experiment = "p/e",
                          .measurement = "p/e/third",
                          .value = RecordValue{1.0 / 3.0},

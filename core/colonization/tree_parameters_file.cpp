@@ -2,6 +2,7 @@
 #include "core/colonization/tree_parameters_file.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -24,6 +25,27 @@ struct Overloaded : Alternatives... {
 };
 template <class... Alternatives>
 Overloaded(Alternatives...) -> Overloaded<Alternatives...>;
+
+/// The range of a number, as in ">= 0 and <= 1, whole".
+std::string allowed(const NumberKey& kind) {
+  std::string text =
+      kind.low_is_allowed ? fmt::format(">= {}", kind.low) : fmt::format("> {}", kind.low);
+  if (std::isfinite(kind.high)) text += fmt::format(" and <= {}", kind.high);
+  if (kind.infinity_is_allowed) text += ", or inf";
+  return kind.whole ? text + ", whole" : text;
+}
+
+std::string allowed_values(const TreeParameterKey& key) {
+  return std::visit(Overloaded{[](const NumberKey& kind) { return "a number " + allowed(kind); },
+                               [](const VectorKey& kind) {
+                                 return std::string(kind.must_be_positive ? "three numbers > 0"
+                                                                          : "three numbers");
+                               },
+                               [](const ChoiceKey& kind) {
+                                 return fmt::format("\"{}\"", fmt::join(kind.words, "\" or \""));
+                               }},
+                    key.kind);
+}
 
 class TreeFileReader {
  public:
@@ -90,13 +112,6 @@ class TreeFileReader {
       fail(name,
            fmt::format("{} = {} is not allowed; give a number {}", name, *value, allowed(kind)));
     kind.place(values_) = *value;
-  }
-
-  static std::string allowed(const NumberKey& kind) {
-    std::string text =
-        kind.low_is_allowed ? fmt::format(">= {}", kind.low) : fmt::format("> {}", kind.low);
-    if (std::isfinite(kind.high)) text += fmt::format(" and <= {}", kind.high);
-    return kind.whole ? text + ", whole" : text;
   }
 
   void read_vector(const std::string& name, const VectorKey& kind, const toml::node& node) {
@@ -244,8 +259,10 @@ std::string example_tree_file() {
     }
     const std::string_view short_name =
         key.name.substr(dot == std::string_view::npos ? 0 : dot + 1);
-    text += fmt::format("# {}. Unit: {}. Source: {}.\n{}{} = {}\n", key.meaning, key.unit,
-                        key.source, key.shown_as_comment ? "# " : "", short_name, key.default_text);
+    text += fmt::format("# {}{}. Unit: {}. Allowed: {}. Source: {}.\n{}{} = {}\n",
+                        static_cast<char>(std::toupper(static_cast<unsigned char>(key.meaning[0]))),
+                        key.meaning.substr(1), key.unit, allowed_values(key), key.source,
+                        key.shown_as_comment ? "# " : "", short_name, key.default_text);
   }
   return text;
 }

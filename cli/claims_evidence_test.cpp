@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Experiments and claims do not know each other; here they meet.
+#include <filesystem>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "core/record/run_files.hpp"
+#include "experiments/experiment_registry.hpp"
+#include "experiments/run_experiments.hpp"
+#include "reference/claims.hpp"
+#include "reports/judge/judged_run.hpp"
+
+namespace phytobench {
+namespace {
+
+namespace fs = std::filesystem;
+
+void expect_every_measurement_recorded(const RunContents& run) {
+  std::set<std::string> recorded;
+  std::set<std::string> cells;  // of Table 1, whose times a smoke run does not take
+  for (const Record& record : run.records) {
+    recorded.insert(record.measurement);
+    cells.insert(record.measurement.substr(0, record.measurement.rfind('/')));
+  }
+  const std::set<std::string> times = {"seconds", "association_seconds", "kill_seconds",
+                                       "growth_seconds"};
+  for (const Claim& claim : load_claims("brzoska2019").claims)
+    for (const ClaimCheck& check : claim.checks)
+      for (const auto& term : check.terms)
+        for (const std::string& part : term) {
+          const std::string id = check.subject == CheckSubject::sum ? part.substr(1) : part;
+          const std::size_t slash = id.rfind('/');
+          const bool is_time =
+              times.contains(id.substr(slash + 1)) && cells.contains(id.substr(0, slash));
+          EXPECT_TRUE(is_time || recorded.contains(id)) << claim.id << " names " << id;
+        }
+}
+
+void expect_no_unexpected_verdict(const JudgedRun& judged) {
+  std::size_t decided = 0;
+  for (const JudgedPaper& paper : judged.papers)
+    for (const Judgement& judgement : paper.judgements) {
+      EXPECT_FALSE(judgement.is_unexpected())
+          << judgement.claim->id << " is " << name_of(judgement.verdict) << ", expected "
+          << name_of(judgement.claim->expected_verdict) << ": " << judgement.measured;
+      decided += judgement.verdict == Verdict::reproduced ||
+                 judgement.verdict == Verdict::reproduced_with_erratum;
+    }
+  EXPECT_GT(decided, 60u);
+}
+
+void expect_timing_claims_not_measured(const JudgedRun& judged) {
+  for (const Judgement& judgement : judged.papers.front().judgements) {
+    if (judgement.claim->tier == Tier::smoke || judgement.claim->checks.empty()) continue;
+    if (judgement.verdict == Verdict::not_reproduced) continue;  // its counts alone decide
+    EXPECT_EQ(judgement.verdict, Verdict::not_measured) << judgement.claim->id;
+    EXPECT_NE(judgement.reason.find("needs tier quick"), std::string::npos) << judgement.reason;
+  }
+}
+
+// One test, because the run behind it takes seconds.
+TEST(ClaimsEvidenceSlow, ASmokeRunMeasuresWhatClaimsNameAndSurprisesNobody) {
+  const fs::path folder = fs::path(testing::TempDir()) / "phytobench_claims_evidence";
+  fs::remove_all(folder);
+  run_experiments({.experiments = selected_experiments({}),
+                   .header = {Tier::smoke, 0},
+                   .folder = folder,
+                   .command_line = "test"});
+  const RunContents run = read_run(folder);
+  fs::remove_all(folder);
+  expect_every_measurement_recorded(run);
+  const JudgedRun judged = judge_run(run);
+  expect_no_unexpected_verdict(judged);
+  expect_timing_claims_not_measured(judged);
+}
+
+}  // namespace
+}  // namespace phytobench

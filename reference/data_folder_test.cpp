@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "reference/data_folder.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/contract/errors.hpp"
+#include "reference/papers.hpp"
+
+namespace phytobench {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr const char* variable = "PHYTOBENCH_DATA";
+
+/// A fresh folder for one test; both it and the environment are put back afterwards.
+class DataFolder : public testing::Test {
+ protected:
+  DataFolder()
+      : folder_(fs::path(testing::TempDir()) / ("phytobench_data_" + std::to_string(::getpid()))) {
+    if (const char* old_value = std::getenv(variable)) old_value_ = old_value;
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  ~DataFolder() override {
+    if (old_value_)
+      ::setenv(variable, old_value_->c_str(), 1);
+    else
+      ::unsetenv(variable);
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+
+  void point_to(const fs::path& folder) const { ::setenv(variable, folder.c_str(), 1); }
+  const fs::path& folder() const { return folder_; }
+
+ private:
+  fs::path folder_;
+  std::optional<std::string> old_value_;
+};
+
+TEST_F(DataFolder, HoldsEveryPaper) {
+  ASSERT_FALSE(paper_keys().empty());
+  for (const std::string& key : paper_keys()) {
+    EXPECT_EQ(paper_folder(key), data_folder() / "papers" / key);
+    for (const char* file : {"paper.toml", "parameters.toml", "claims.toml", "errata.toml"})
+      EXPECT_TRUE(fs::is_regular_file(paper_folder(key) / file)) << key << "/" << file;
+    const Paper paper = load_paper(key);
+    EXPECT_EQ(paper.key, key);
+    for (const std::string& text :
+         {paper.title, paper.author, paper.year, paper.kind, paper.summary})
+      EXPECT_FALSE(text.empty()) << key;
+  }
+}
+
+TEST_F(DataFolder, RefusesAnUnknownPaperByName) {
+  try {
+    load_paper("nobody1999");
+    FAIL() << "an unknown paper was loaded";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("unknown paper 'nobody1999'"));
+  }
+  EXPECT_THROW(paper_folder("nobody1999"), InputError);
+}
+
+TEST_F(DataFolder, IsWhereTheVariablePoints) {
+  fs::create_directories(folder() / "papers" / "other2020");
+  point_to(folder());
+  EXPECT_EQ(data_folder(), folder());
+  EXPECT_EQ(paper_folder("other2020"), folder() / "papers" / "other2020");
+  EXPECT_THROW(paper_folder(paper_keys().at(0)), InputError);
+}
+
+TEST_F(DataFolder, IsAnEnvironmentErrorWhereTheVariablePointsNowhere) {
+  for (const fs::path& wrong : {folder() / "absent", folder()}) {
+    point_to(wrong);
+    try {
+      data_folder();
+      FAIL() << wrong << " was taken";
+    } catch (const EnvironmentError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("PHYTOBENCH_DATA=" + wrong.string()));
+    }
+    EXPECT_THROW(paper_folder(paper_keys().at(0)), EnvironmentError);
+  }
+}
+
+TEST_F(DataFolder, StandsAboveTheProgramWithoutTheVariable) {
+  ::unsetenv(variable);
+  const fs::path found = data_folder();
+  EXPECT_TRUE(fs::is_directory(found / "papers"));
+  EXPECT_EQ(found.filename(), "share");
+  ::setenv(variable, "", 1);
+  EXPECT_EQ(data_folder(), found);
+}
+
+}  // namespace
+}  // namespace phytobench

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "reference/errata.hpp"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "reference/oracles/brzoska2019_equations.hpp"
+#include "reference/papers.hpp"
+
+namespace phytobench {
+namespace {
+
+using Arguments = std::vector<double>;
+
+/// The printed and the corrected form of one equation.
+struct OraclePair {
+  std::size_t arguments;
+  std::function<double(const Arguments&)> printed;
+  std::function<double(const Arguments&)> corrected;
+};
+
+/// Keys are "<paper>/<oracle>".
+const std::map<std::string, OraclePair>& oracles_by_name() {
+  namespace brzoska = oracles::brzoska2019;
+  static const std::map<std::string, OraclePair> oracles = {
+      // Sum of unit vectors, then tropism; the upward component is the value.
+      {"brzoska2019/equation-10",
+       {6,
+        [](const Arguments& a) {
+          return brzoska::equation_10_as_printed({a[0], a[1], a[2]}, {a[3], a[4], a[5]}).y;
+        },
+        [](const Arguments& a) {
+          return brzoska::equation_10_corrected({a[0], a[1], a[2]}, {a[3], a[4], a[5]}).y;
+        }}},
+      // First and last kill distance, limits of the sigmoid, iterations, iteration.
+      {"brzoska2019/equation-17",
+       {6,
+        [](const Arguments& a) {
+          return brzoska::equation_17_as_printed(a[0], a[1], a[2], a[3], static_cast<int>(a[4]),
+                                                 static_cast<int>(a[5]));
+        },
+        [](const Arguments& a) {
+          return brzoska::equation_17_corrected(a[0], a[1], a[2], a[3], static_cast<int>(a[4]),
+                                                static_cast<int>(a[5]));
+        }}},
+      // Volume and density.
+      {"brzoska2019/equation-22",
+       {2, [](const Arguments& a) { return brzoska::equation_22_as_printed(a[0], a[1]); },
+        [](const Arguments& a) { return brzoska::equation_22_corrected(a[0], a[1]); }}},
+  };
+  return oracles;
+}
+
+/// Empty if the oracles give what the counter-example says, else what is wrong with it.
+std::string objection(const std::string& paper, const CounterExample& example) {
+  const auto found = oracles_by_name().find(paper + "/" + example.oracle);
+  if (found == oracles_by_name().end()) return "unknown oracle " + example.oracle;
+  const OraclePair& oracle = found->second;
+  if (example.arguments.size() != oracle.arguments) return "wrong number of arguments";
+  if (!(example.tolerance >= 0.0)) return "no tolerance";
+  const double printed = oracle.printed(example.arguments);
+  const double corrected = oracle.corrected(example.arguments);
+  if (!(std::abs(corrected - example.corrected) <= example.tolerance))
+    return "the corrected form gives " + std::to_string(corrected);
+  if (!example.printed)
+    return std::isnan(printed) ? "" : "the printed form gives " + std::to_string(printed);
+  if (!(std::abs(printed - *example.printed) <= example.tolerance))
+    return "the printed form gives " + std::to_string(printed);
+  if (!(std::abs(printed - corrected) > example.tolerance)) return "the forms do not differ";
+  return "";
+}
+
+/// Visits every counter-example of every paper.
+void for_each_counter_example(
+    const std::function<void(const Erratum&, const CounterExample&)>& visit) {
+  for (const std::string& paper : paper_keys())
+    for (const Erratum& erratum : load_errata(paper))
+      if (erratum.counter_example) visit(erratum, *erratum.counter_example);
+}
+
+TEST(Errata, HaveUniqueIdsAndSayWhatIsWrong) {
+  for (const std::string& paper : paper_keys()) {
+    std::set<std::string> ids;
+    for (const Erratum& erratum : load_errata(paper)) {
+      SCOPED_TRACE(erratum.id);
+      EXPECT_TRUE(ids.insert(erratum.id).second);
+      EXPECT_EQ(erratum.paper, paper);
+      EXPECT_FALSE(erratum.locator.empty());
+      EXPECT_FALSE(erratum.printed.empty());
+      EXPECT_FALSE(erratum.corrected.empty());
+      EXPECT_NE(erratum.printed, erratum.corrected);
+      EXPECT_FALSE(erratum.consequence.empty());
+      if (erratum.counter_example) EXPECT_FALSE(erratum.counter_example->why.empty());
+    }
+  }
+}
+
+TEST(ErrataOracle, CounterExamplesHoldForBothForms) {
+  std::size_t count = 0;
+  for_each_counter_example([&](const Erratum& erratum, const CounterExample& example) {
+    EXPECT_EQ(objection(erratum.paper, example), "") << erratum.id;
+    ++count;
+  });
+  EXPECT_GT(count, 0u);
+}
+
+TEST(ErrataOracle, EveryOracleHasACounterExample) {
+  std::set<std::string> used;
+  for_each_counter_example([&](const Erratum& erratum, const CounterExample& example) {
+    used.insert(erratum.paper + "/" + example.oracle);
+  });
+  for (const auto& [name, oracle] : oracles_by_name()) EXPECT_TRUE(used.contains(name)) << name;
+}
+
+// The checker itself must refuse what is wrong.
+TEST(ErrataOracle, AWrongCounterExampleIsRefused) {
+  const CounterExample right{.oracle = "equation-22",
+                             .arguments = {10.0, 4.0},
+                             .printed = 2.5,
+                             .corrected = 40.0,
+                             .tolerance = 0.0,
+                             .why = "exact"};
+  const std::string paper = "brzoska2019";
+  ASSERT_EQ(objection(paper, right), "");
+
+  CounterExample wrong = right;
+  wrong.oracle = "equation-23";
+  EXPECT_NE(objection(paper, wrong), "") << "unknown oracle";
+
+  wrong = right;
+  wrong.arguments = {10.0};
+  EXPECT_NE(objection(paper, wrong), "") << "an argument is missing";
+
+  wrong = right;
+  wrong.printed = std::nextafter(2.5, 3.0);
+  EXPECT_NE(objection(paper, wrong), "") << "printed value off by one ulp";
+
+  wrong = right;
+  wrong.corrected = std::nextafter(40.0, 41.0);
+  EXPECT_NE(objection(paper, wrong), "") << "corrected value off by one ulp";
+
+  wrong = right;
+  wrong.printed = std::nullopt;
+  EXPECT_NE(objection(paper, wrong), "") << "the printed form has a value";
+
+  wrong = right;
+  wrong.tolerance = 40.0;
+  EXPECT_NE(objection(paper, wrong), "") << "a tolerance that hides the difference";
+
+  wrong = right;
+  wrong.tolerance = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(objection(paper, wrong), "") << "a tolerance that is no number";
+}
+
+}  // namespace
+}  // namespace phytobench
