@@ -172,7 +172,7 @@ TEST_F(CommandLine, TellsItsVersionAndHelp) {
 
 TEST_F(CommandLine, RefusesWrongUsageInOneLine) {
   expect_refused({}, 2, "--help");
-  expect_refused({"nonsense"}, 2, "--help");
+  expect_refused({"nonsense"}, 2, "nonsense");
   expect_refused({"--nonsense"}, 2, "--help");
   expect_refused({"list", "--nonsense"}, 2, "--nonsense");
   expect_refused({"list", "papers", "extra"}, 2, "extra");
