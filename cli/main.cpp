@@ -37,6 +37,12 @@ struct Commands {
   std::function<int()> chosen = {};
 };
 
+/// The library reads "-1" as a huge unsigned number and accepts digits without end.
+std::string whole_number(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return digits && text.size() <= 18 ? "" : "give a whole number of at most 18 digits";
+}
+
 void add_list(CLI::App& app, Commands& commands) {
   CLI::App* sub =
       app.add_subcommand("list", "What there is: papers, claims, experiments, engines, rules");
@@ -53,7 +59,8 @@ void add_run(CLI::App& app, Commands& commands) {
   sub->add_option("--tier", options.tier, "smoke (seconds), quick (minutes) or full")
       ->capture_default_str();
   sub->add_option("--seed", options.seed, "Start of the suite's own random numbers")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(whole_number);
   sub->add_option("--threads", options.threads, "Threads of the engines")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));
@@ -116,8 +123,17 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
       fmt::format("; commands: {} (phytobench --help)", fmt::join(names, ", "));
   if (argc < 2) throw InputError("no command given" + known);
   const std::string first = argv[1];
+  const std::vector<std::string> options = {"--help", "-h", "--version"};
+  if (first.starts_with("-") && std::find(options.begin(), options.end(), first) == options.end())
+    throw InputError("unknown option '" + first + "'" + known);
   if (first.starts_with("-") || std::find(names.begin(), names.end(), first) != names.end()) return;
   throw InputError("unknown command '" + first + "'" + did_you_mean(first, names) + known);
+}
+
+/// Help of the subcommand that was asked for it, or of the program.
+std::string help_of(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? app.help() : chosen.front()->help();
 }
 
 int run_command_line(int argc, char** argv) {
@@ -137,7 +153,11 @@ int run_command_line(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
+    if (error.get_exit_code() == 0) {
+      const bool version = dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr;
+      print(version ? std::string(error.what()) + "\n" : help_of(app));
+      return ok;
+    }
     throw InputError(std::string(error.what()) + " (phytobench --help)");
   }
   return commands.chosen();
@@ -145,7 +165,10 @@ int run_command_line(int argc, char** argv) {
 
 int fail(ExitCode code, const std::exception& error) {
   clear_progress();
-  std::fprintf(stderr, "phytobench: %s\n", error.what());
+  std::string line = error.what();
+  for (char& c : line)  // what the user typed may stand in it
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  std::fprintf(stderr, "phytobench: %s\n", line.c_str());
   return code;
 }
 

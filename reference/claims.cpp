@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
@@ -22,6 +23,7 @@ constexpr std::array<std::string_view, 4> bases = {"paper", "author-published", 
 constexpr std::array<std::string_view, 6> whys = {"exact",          "printed rounding",
                                                   "figure reading", "sampling error",
                                                   "floating point", "stated bound"};
+constexpr std::array<std::string_view, 3> tiers = {"smoke", "quick", "full"};
 constexpr std::array<std::string_view, 2> origins = {"published", "derived"};
 constexpr std::array<std::string_view, 6> subjects = {"value", "ratio", "ratio-of-ratios",
                                                       "sum",   "same",  "different"};
@@ -58,12 +60,27 @@ void check_term_size(const TomlTable& table, CheckSubject subject, std::size_t s
   if (!right) table.fail("a term of this check has the wrong number of measurements");
 }
 
+/// Bounds that contradict each other, or that the subject cannot have.
+void check_bounds(const TomlTable& table, const ClaimCheck& check) {
+  const int forms =
+      (check.low || check.high ? 1 : 0) + (check.equals ? 1 : 0) + (check.equals_text ? 1 : 0);
+  if (forms > 1) table.fail("use either 'low' and 'high', or 'equals', or 'equals_text'");
+  if (check.low && check.high && !(*check.low <= *check.high))
+    table.fail("'low' must not exceed 'high'");
+  if (check.equals_text && check.subject != CheckSubject::value)
+    table.fail("'equals_text' goes with of = \"value\" only");
+}
+
 ClaimCheck check_from(const TomlTable& table, const std::string& paper) {
   table.allow_only({"of", "terms", "low", "high", "equals", "equals_text", "required", "why"});
   ClaimCheck check;
   check.subject = static_cast<CheckSubject>(word(table, "of", subjects));
   for (const std::vector<std::string>& term : table.text_lists("terms")) {
     check_term_size(table, check.subject, term.size());
+    for (const std::string& measurement : term)
+      if ((measurement.starts_with('+') || measurement.starts_with('-')) !=
+          (check.subject == CheckSubject::sum))
+        table.fail("the measurements of a sum, and only those, start with + or -");
     std::vector<std::string> full;
     for (const std::string& measurement : term) full.push_back(full_id(measurement, paper));
     check.terms.push_back(std::move(full));
@@ -77,10 +94,13 @@ ClaimCheck check_from(const TomlTable& table, const std::string& paper) {
   const bool bounded = check.low || check.high || check.equals || check.equals_text;
   if (compares == bounded || check.terms.empty())
     table.fail("a check needs terms, and bounds unless it is 'same' or 'different'");
-  check.required = static_cast<std::size_t>(
-      table.number_if_given("required").value_or(static_cast<double>(check.terms.size())));
-  if (check.required < 1 || check.required > check.terms.size())
-    table.fail("'required' must lie between 1 and the number of terms");
+  check_bounds(table, check);
+  const double required =
+      table.number_if_given("required").value_or(static_cast<double>(check.terms.size()));
+  if (!(required >= 1.0 && required <= static_cast<double>(check.terms.size())) ||
+      required != std::floor(required))
+    table.fail("'required' must be a whole number between 1 and the number of terms");
+  check.required = static_cast<std::size_t>(required);
   check.why = whys[word(table, "why", whys)];
   return check;
 }
@@ -102,7 +122,7 @@ Claim claim_from(const TomlTable& table, const std::string& paper) {
   claim.unit = table.text_or("unit", "1");
   if (const auto digits = table.number_if_given("digits")) claim.digits = static_cast<int>(*digits);
   claim.basis = bases[word(table, "basis", bases)];
-  claim.tier = tier_named(table.text("tier"));
+  claim.tier = static_cast<Tier>(word(table, "tier", tiers));
   claim.expected_verdict = verdict_of(table, "expected_verdict");
   claim.erratum = table.text_or("erratum", "");
   claim.reason = table.text("reason");
@@ -191,8 +211,12 @@ PaperClaims load_claims_file(const std::string& file, const std::string& paper) 
     if (!ids.insert(result.claims.back().id).second)
       table.fail(fmt::format("claim '{}' stands here twice", result.claims.back().id));
   }
-  for (const TomlTable& table : root.tables("table"))
+  std::set<std::string> table_ids;
+  for (const TomlTable& table : root.tables("table")) {
     result.tables.push_back(published_table_from(table, paper));
+    if (!table_ids.insert(result.tables.back().id).second)
+      table.fail(fmt::format("table '{}' stands here twice", result.tables.back().id));
+  }
   return result;
 }
 

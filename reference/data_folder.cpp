@@ -27,7 +27,7 @@ fs::path data_folder() {
 
 fs::path paper_folder(const std::string& key) {
   const fs::path folder = data_folder() / "papers" / key;
-  if (!fs::is_directory(folder))
+  if (key.empty() || !fs::is_directory(folder))
     throw InputError("unknown paper '" + key + "'; see phytobench list papers");
   return folder;
 }

@@ -10,7 +10,7 @@ namespace phytobench {
 
 /// A number that shows an erratum: an oracle evaluated as printed and as corrected.
 struct CounterExample {
-  std::string oracle;  ///< "equation-22": see reference/oracles/errata_oracles.hpp
+  std::string oracle;  ///< "equation-22": as in reference/errata_test.cpp
   std::vector<double> arguments;
   std::optional<double> printed;  ///< absent where the printed form is undefined
   double corrected = 0.0;

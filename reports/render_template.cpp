@@ -60,7 +60,8 @@ std::string escaped_for_markdown(const std::string& text) {
       escaped += ' ';
       continue;
     }
-    if (c == '|' || c == '*' || c == '_' || c == '`' || c == '<' || c == '[' || c == ']')
+    if (c == '\\' || c == '|' || c == '*' || c == '_' || c == '`' || c == '<' || c == '[' ||
+        c == ']')
       escaped += '\\';
     escaped += c;
   }

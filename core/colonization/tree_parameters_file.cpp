@@ -186,6 +186,12 @@ class TreeFileReader {
                "the sum below 1",
                p.cloud.cutoff_bottom + p.cloud.cutoff_top));
     check_point_count();
+    if (p.stem_length / p.step_length > most_stem_pieces)
+      fail("stem.length",
+           fmt::format(
+               "stem.length = {} in pieces of growth.step_length = {} is more than {:.0e} nodes; "
+               "shorten the stem or lengthen the steps",
+               p.stem_length, p.step_length, most_stem_pieces));
   }
 
   void check_point_count() const {
@@ -203,6 +209,7 @@ class TreeFileReader {
 
   /// About 10 GiB of memory while growing; anything larger is taken for a typing error.
   static constexpr double most_attraction_points = 1e8;
+  static constexpr double most_stem_pieces = 1e6;
 
   std::string file_;
   std::vector<const toml::table*> tables_;  // a later one replaces keys of an earlier one

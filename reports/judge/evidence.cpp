@@ -39,6 +39,13 @@ std::vector<double> Evidence::samples(const std::string& measurement) const {
   return samples;
 }
 
+std::map<std::int64_t, double> Evidence::rounds(const std::string& measurement) const {
+  std::map<std::int64_t, double> rounds;
+  if (const auto timed = timings_.find(measurement); timed != timings_.end())
+    for (const TimingSample& sample : timed->second) rounds[sample.round] = sample.seconds;
+  return rounds;
+}
+
 std::int64_t Evidence::threads(const std::string& measurement) const {
   std::int64_t threads = 1;
   if (const auto timed = timings_.find(measurement); timed != timings_.end())

@@ -24,6 +24,9 @@ class Evidence {
   /// Samples in the order of rounds: one exact value for a record, all repetitions for a timing.
   std::vector<double> samples(const std::string& measurement) const;
 
+  /// The timings by round; samples may be paired only within a round.
+  std::map<std::int64_t, double> rounds(const std::string& measurement) const;
+
   bool is_timing(const std::string& measurement) const { return timings_.contains(measurement); }
 
   /// Threads used by a timing (the largest, should they differ).

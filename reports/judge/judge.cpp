@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -87,7 +88,9 @@ CheckOutcome outcome_of(const Estimate& estimate, const ClaimCheck& check) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double low = check.equals.value_or(check.low.value_or(-infinity));
   const double high = check.equals.value_or(check.high.value_or(infinity));
-  if (std::isnan(estimate.value)) return CheckOutcome::fails;
+  if (!std::isfinite(estimate.value) || !std::isfinite(estimate.low) ||
+      !std::isfinite(estimate.high))
+    return CheckOutcome::fails;
   if (estimate.low >= low && estimate.high <= high) return CheckOutcome::holds;
   if (estimate.high < low || estimate.low > high) return CheckOutcome::fails;
   return CheckOutcome::undecided;
@@ -98,20 +101,61 @@ std::string shown_estimate(const Estimate& estimate) {
   return fmt::format("{:.4g} [{:.4g}, {:.4g}]", estimate.value, estimate.low, estimate.high);
 }
 
+/// `same` and `different` compare every bit: what is shown may be rounded.
 JudgedTerm judge_comparison(const ClaimCheck& check, const std::vector<std::string>& term,
                             const Evidence& evidence, JudgedTerm judged) {
-  std::vector<std::string> values;
+  std::vector<RecordValue> values;
+  std::vector<std::string> texts;
   for (const std::string& part : term) {
     const auto value = evidence.recorded(part);
     if (!value) return judged;
-    values.push_back(shown(*value));
+    values.push_back(*value);
+    texts.push_back(shown(*value));
   }
   const bool same =
       std::all_of(values.begin(), values.end(), [&](const auto& v) { return v == values[0]; });
-  judged.measured = same ? values[0] : fmt::format("{}", fmt::join(values, ", "));
+  judged.measured = same ? texts[0] : fmt::format("{}", fmt::join(texts, ", "));
   judged.outcome =
       same == (check.subject == CheckSubject::same) ? CheckOutcome::holds : CheckOutcome::fails;
   return judged;
+}
+
+JudgedTerm judge_text(const ClaimCheck& check, const std::string& measurement,
+                      const Evidence& evidence, JudgedTerm judged) {
+  const auto value = evidence.recorded(measurement);
+  if (!value) return judged;
+  judged.measured = shown(*value);
+  judged.outcome =
+      *value == RecordValue(*check.equals_text) ? CheckOutcome::holds : CheckOutcome::fails;
+  return judged;
+}
+
+/// One combined value per round, from times of the same round; recorded values are the same in
+/// every round. Empty if something is missing, or if times lack partners.
+std::vector<double> combined_by_round(const ClaimCheck& check, const std::vector<std::string>& term,
+                                      const Evidence& evidence) {
+  std::map<std::int64_t, std::vector<double>> rounds;
+  bool timed = false;
+  for (const std::string& part : term)
+    for (const auto& [round, seconds] : evidence.rounds(id_of(check, part))) {
+      timed = true;
+      rounds[round];
+    }
+  if (!timed) rounds[0];
+  for (const std::string& part : term) {
+    const std::string id = id_of(check, part);
+    const std::map<std::int64_t, double> own = evidence.rounds(id);
+    const std::vector<double> constant = evidence.samples(id);
+    if (constant.empty() || (evidence.is_timing(id) && own.size() != rounds.size())) return {};
+    for (auto& [round, values] : rounds) {
+      if (evidence.is_timing(id) && !own.contains(round)) return {};
+      values.push_back(evidence.is_timing(id) ? own.at(round) : constant[0]);
+    }
+  }
+  if (timed && rounds.size() < 2) return {};
+  std::vector<double> combined;
+  for (const auto& [round, values] : rounds) combined.push_back(combine(check, term, values));
+  return combined;
 }
 
 JudgedTerm judge_term(const ClaimCheck& check, const std::vector<std::string>& term,
@@ -119,34 +163,9 @@ JudgedTerm judge_term(const ClaimCheck& check, const std::vector<std::string>& t
   JudgedTerm judged{expression_of(check, term), "not measured", CheckOutcome::missing};
   if (check.subject == CheckSubject::same || check.subject == CheckSubject::different)
     return judge_comparison(check, term, evidence, judged);
-  if (check.equals_text) {
-    const auto value = evidence.recorded(term[0]);
-    if (!value) return judged;
-    judged.measured = shown(*value);
-    judged.outcome =
-        judged.measured == *check.equals_text ? CheckOutcome::holds : CheckOutcome::fails;
-    return judged;
-  }
-  // Pair the samples of each round; a recorded value is the same in every round.
-  std::vector<std::vector<double>> samples;
-  std::size_t rounds = 1;
-  bool timed = false;
-  for (const std::string& part : term) {
-    samples.push_back(evidence.samples(id_of(check, part)));
-    if (samples.back().empty()) return judged;
-    timed |= evidence.is_timing(id_of(check, part));
-    rounds = std::max(rounds, samples.back().size());
-  }
-  if (timed && rounds < 2) return judged;
-  std::vector<double> combined;
-  for (std::size_t round = 0; round < rounds; ++round) {
-    std::vector<double> values;
-    for (const auto& own : samples) {
-      if (own.size() != 1 && own.size() != rounds) return judged;
-      values.push_back(own.size() == 1 ? own[0] : own[round]);
-    }
-    combined.push_back(combine(check, term, values));
-  }
+  if (check.equals_text) return judge_text(check, term[0], evidence, judged);
+  const std::vector<double> combined = combined_by_round(check, term, evidence);
+  if (combined.empty()) return judged;
   const Estimate estimate = combined.size() == 1 ? Estimate{combined[0], combined[0], combined[0]}
                                                  : median_estimate(combined);
   judged.measured = shown_estimate(estimate);
@@ -164,14 +183,13 @@ JudgedCheck judge_check(const ClaimCheck& check, const Evidence& evidence) {
     undecided += outcome == CheckOutcome::undecided;
     missing += outcome == CheckOutcome::missing;
   }
-  if (missing > 0)
+  if (holds + undecided + missing < check.required) {
+    judged.outcome = CheckOutcome::fails;  // no evidence that is still missing could save it
+  } else if (missing > 0) {
     judged.outcome = CheckOutcome::missing;
-  else if (holds >= check.required)
-    judged.outcome = CheckOutcome::holds;
-  else if (holds + undecided < check.required)
-    judged.outcome = CheckOutcome::fails;
-  else
-    judged.outcome = CheckOutcome::undecided;
+  } else {
+    judged.outcome = holds >= check.required ? CheckOutcome::holds : CheckOutcome::undecided;
+  }
   return judged;
 }
 
@@ -236,11 +254,14 @@ Judgement judge(const Claim& claim, const Evidence& evidence, Tier tier) {
     return judgement;
   }
   judgement.verdict = verdict_of(claim, judgement.checks);
-  if (judgement.verdict == Verdict::not_measured)
-    judgement.reason =
-        tier < claim.tier
-            ? fmt::format("needs tier {}, this run is tier {}", name_of(claim.tier), name_of(tier))
-            : "this run did not include the experiment that measures it";
+  if (judgement.verdict == Verdict::not_measured) {
+    bool present = true;
+    for_each_measurement(claim, [&](const std::string& id) { present &= evidence.has(id); });
+    judgement.reason = tier < claim.tier ? fmt::format("needs tier {}, this run is tier {}",
+                                                       name_of(claim.tier), name_of(tier))
+                       : present         ? "its times lack rounds, or partners in the same round"
+                                 : "this run did not include the experiment that measures it";
+  }
   return judgement;
 }
 
