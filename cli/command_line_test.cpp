@@ -318,7 +318,7 @@ const std::vector<BadTree> bad_trees = {
     {"radius_missing", "[cloud]\nradii = [1.0, 2.0]\n", "tree.toml:2: cloud.radii"},
     {"cuts_that_cross", "[cloud]\ncutoff_bottom = 0.6\ncutoff_top = 0.5\n",
      "tree.toml:3: cloud.cutoff_bottom + cloud.cutoff_top"},
-    {"too_many_points", "[cloud]\ndensity = 1e12\n", "tree.toml:2: the cloud would have"},
+    {"too_many_points", "[cloud]\ndensity = 1e12\n", "tree.toml:2: cloud.density = 1e+12"},
     {"half_an_iteration", "[growth]\niterations = 1.5\n", "tree.toml:2: growth.iterations"},
     {"kill_above_influence",
      "[growth]\ninfluence_distance = 0.5\nkill_distance_begin = 0.6\nkill_distance_end = 0.2\n",

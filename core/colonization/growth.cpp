@@ -69,7 +69,12 @@ class GrowthLoop {
       PassStatistics pass{.iteration = i};
       if (deferred()) {
         kill_before_association(i, pass);
-        if (i > 0 && engine_.live_points() == 0) return StopReason::no_points_left;
+        if (i > 0 && engine_.live_points() == 0) {
+          // This iteration never runs; its removal belongs to the one it was put off from.
+          result_.passes.back().removed_points += pass.removed_points;
+          result_.passes.back().kill_evaluations += pass.kill_evaluations;
+          return StopReason::no_points_left;
+        }
       }
       const std::size_t associated = associate_and_grow(pass);
       if (!deferred() && pass.new_nodes > 0) kill(i, kill_distance(i), pass);

@@ -46,7 +46,11 @@ Vector3 DirectionLimit::operator()(const Vector3& direction, const Vector3& node
   const double along = dot(direction, node_direction);
   if (unlimited_ || along >= cosine_) return direction;
   const Vector3 across = direction - along * node_direction;
-  const Vector3 sideways = normalised(across).value_or(any_perpendicular(node_direction));
+  // Straight backwards there is no plane: what is left of `across` is rounding noise.
+  constexpr double noise = 1e-8;
+  const double across_length = norm(across);
+  const Vector3 sideways =
+      across_length > noise ? across / across_length : any_perpendicular(node_direction);
   return cosine_ * node_direction + sine_ * sideways;
 }
 

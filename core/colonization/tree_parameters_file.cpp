@@ -62,16 +62,30 @@ class TreeFileReader {
   }
 
  private:
-  [[noreturn]] void fail(std::string_view key, const std::string& problem) const {
-    const toml::node* node = tables_.back();
-    for (const toml::table* table : tables_)
-      if (const toml::node* found = table->at_path(key).node()) node = found;
-    throw InputError(fmt::format("{}:{}: {}", file_, node->source().begin.line, problem));
+  /// Points to the first of the keys that the file gives, or to the table.
+  [[noreturn]] void fail_any(const std::vector<std::string>& keys,
+                             const std::string& problem) const {
+    for (const std::string& key : keys)
+      for (auto table = tables_.rbegin(); table != tables_.rend(); ++table)
+        if (const toml::node* found = (*table)->at_path(key).node()) fail_at(*found, problem);
+    fail_at(*tables_.back(), problem);
+  }
+
+  [[noreturn]] void fail(const std::string& key, const std::string& problem) const {
+    fail_any({key}, problem);
+  }
+
+  [[noreturn]] void fail_at(const toml::node& node, const std::string& problem) const {
+    throw InputError(fmt::format("{}:{}: {}", file_, node.source().begin.line, problem));
   }
 
   void read_table(const toml::table& table, const std::string& prefix) {
     for (const auto& [key, node] : table) {
       const std::string name = prefix + std::string(key.str());
+      if (key.str().find('.') != std::string_view::npos)
+        fail_at(node,
+                fmt::format("unknown key '{}' in quotes; write it without, or as [section] and key",
+                            name));
       given_.insert(name);
       if (const toml::table* section = node.as_table(); section != nullptr && is_section(name)) {
         read_table(*section, name + ".");
@@ -175,35 +189,40 @@ class TreeFileReader {
          {std::pair{"growth.kill_distance_begin", p.kill_distance.begin},
           std::pair{"growth.kill_distance_end", p.kill_distance.end}})
       if (distance > p.influence_distance)
-        fail(key,
-             fmt::format("{} = {} exceeds growth.influence_distance = {}; points would vanish that "
-                         "never attracted anything: lower the one or raise the other",
-                         key, distance, p.influence_distance));
+        fail_any(
+            {key, "growth.influence_distance"},
+            fmt::format("{} = {} exceeds growth.influence_distance = {}; points would vanish that "
+                        "never attracted anything: lower the one or raise the other",
+                        key, distance, p.influence_distance));
     if (p.cloud.cutoff_bottom + p.cloud.cutoff_top >= 1.0)
-      fail("cloud.cutoff_top",
-           fmt::format(
-               "cloud.cutoff_bottom + cloud.cutoff_top = {} leaves nothing of the ellipsoid; keep "
-               "the sum below 1",
-               p.cloud.cutoff_bottom + p.cloud.cutoff_top));
+      fail_any(
+          {"cloud.cutoff_top", "cloud.cutoff_bottom"},
+          fmt::format(
+              "cloud.cutoff_bottom + cloud.cutoff_top = {} leaves nothing of the ellipsoid; keep "
+              "the sum below 1",
+              p.cloud.cutoff_bottom + p.cloud.cutoff_top));
     check_point_count();
     if (p.stem_length / p.step_length > most_stem_pieces)
-      fail("stem.length",
-           fmt::format(
-               "stem.length = {} in pieces of growth.step_length = {} is more than {:.0e} nodes; "
-               "shorten the stem or lengthen the steps",
-               p.stem_length, p.step_length, most_stem_pieces));
+      fail_any(
+          {"stem.length", "growth.step_length"},
+          fmt::format(
+              "stem.length = {} in pieces of growth.step_length = {} is more than {:.0e} nodes; "
+              "shorten the stem or lengthen the steps",
+              p.stem_length, p.step_length, most_stem_pieces));
   }
 
   void check_point_count() const {
     const TreeParameters& p = values_.parameters;
-    for (const double density : {p.cloud_density, p.tropism_damping_density}) {
+    for (const auto& [key, density] :
+         {std::pair{"cloud.density", p.cloud_density},
+          std::pair{"tropism.damping_density", p.tropism_damping_density}}) {
       const double count = volume(p.cloud) * density;
-      if (count > most_attraction_points)
-        fail("cloud.density",
-             fmt::format("the cloud would have {:.3g} attraction points (volume {:.4g} x density "
-                         "{:.4g}); at "
-                         "most {:.0e} are allowed: lower cloud.density or cloud.radii",
-                         count, volume(p.cloud), density, most_attraction_points));
+      if (!(count <= most_attraction_points))
+        fail_any({key, "cloud.radii"},
+                 fmt::format("{} = {:.4g} in a volume of {:.4g} makes {:.3g} attraction points; at "
+                             "most {:.0e} are "
+                             "allowed: lower {} or cloud.radii",
+                             key, density, volume(p.cloud), count, most_attraction_points, key));
     }
   }
 

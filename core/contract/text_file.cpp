@@ -3,12 +3,12 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <memory>
-#include <sstream>
 
 #include "core/contract/errors.hpp"
 
@@ -38,13 +38,12 @@ std::string read_text_file(const fs::path& file, std::uintmax_t most_bytes) {
     throw InputError(file.string() + ": is larger than " + std::to_string(most_bytes) +
                      " bytes; this cannot be the right file");
   std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream || stream.bad()) {
-    if (stream.eof() || fs::file_size(file, error) == 0) return text.str();
-    throw InputError(file.string() + ": cannot be read; check its permissions");
-  }
-  return text.str();
+  std::string text;
+  std::array<char, 1 << 16> block;
+  while (stream.read(block.data(), block.size()) || stream.gcount() > 0)
+    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+  if (!stream.eof()) throw InputError(file.string() + ": cannot be read; check its permissions");
+  return text;
 }
 
 void make_folder(const fs::path& folder) {

@@ -23,6 +23,7 @@ class BoundingBox {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto down = [](double value) { return std::nextafter(value, -infinity); };
     const auto up = [](double value) { return std::nextafter(value, infinity); };
+    margin *= 1.0 + 0x1p-40;
     BoundingBox box;
     box.low_ = {down(low_.x - margin), down(low_.y - margin), down(low_.z - margin)};
     box.high_ = {up(high_.x + margin), up(high_.y + margin), up(high_.z + margin)};

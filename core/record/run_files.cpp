@@ -220,6 +220,9 @@ RunWriter::RunWriter(fs::path folder, const RunHeader& header, RunMode mode)
     if (!by_experiment.contains(record.experiment)) order.push_back(record.experiment);
     by_experiment[record.experiment].push_back(record);
   }
+  for (const std::string& experiment : complete_)
+    if (!by_experiment.contains(experiment))
+      order.push_back(experiment);  // it had nothing to record
   for (const std::string& experiment : order) {
     const std::vector<Record>& own = by_experiment[experiment];
     text += joined_lines<Record>(own) + completion_line(experiment, own.size());

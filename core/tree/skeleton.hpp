@@ -29,7 +29,7 @@ class Skeleton {
     return positions_[static_cast<std::size_t>(node)];
   }
 
-  /// Whether `parent` already has a child exactly at `position` (all bits of all coordinates).
+  /// Whether `parent` already has a child exactly at `position` (equal coordinates, no tolerance).
   bool has_child_at(std::int32_t parent, const Vector3& position) const;
 
  private:

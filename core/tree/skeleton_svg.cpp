@@ -29,6 +29,12 @@ std::vector<int> tips_above(const Skeleton& skeleton) {
   return tips;
 }
 
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+  return result;
+}
+
 /// Line width class: all edges of one class share a path element.
 int width_class(int tips) {
   const double width = tip_width * std::pow(tips, 1.0 / pipe_exponent);
@@ -57,7 +63,8 @@ std::string skeleton_svg(const Skeleton& skeleton, const std::string& title) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-10 -10 {} {}\" role=\"img\" "
       "fill=\"none\" "
       "stroke=\"currentColor\" stroke-linecap=\"round\"><title>{}</title>\n",
-      std::lround(box.extent().x * scale) + 20, std::lround(box.extent().y * scale) + 20, title);
+      std::lround(box.extent().x * scale) + 20, std::lround(box.extent().y * scale) + 20,
+      escaped(title));
   for (const auto& [width, path] : paths)
     svg += fmt::format("<path stroke-width=\"{}\" d=\"{}\"/>\n", width / 2.0, path);
   return svg + "</svg>\n";

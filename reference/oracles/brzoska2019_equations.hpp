@@ -28,6 +28,9 @@ inline Point over(Point a, double s) {
 inline double scalar_product(Point a, Point b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+inline Point vector_product(Point a, Point b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 inline double length(Point a) {
   return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
 }

@@ -82,7 +82,12 @@ struct Growth {
     const double along = scalar_product(n, own);
     if (along >= std::cos(half)) return n;
     const Point across = minus(n, times(along, own));
-    const Point sideways = over(across, length(across));
+    Point sideways = over(across, length(across));
+    if (!(length(across) > 1e-8)) {  // straight backwards: any plane will do, this one is agreed
+      const Point other = std::abs(own.x) < 0.9 ? Point{1, 0, 0} : Point{0, 0, 1};
+      const Point normal = vector_product(own, other);
+      sideways = over(normal, length(normal));
+    }
     return plus(times(std::cos(half), own), times(std::sin(half), sideways));
   }
 
