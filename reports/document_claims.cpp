@@ -107,7 +107,7 @@ ordered_json claim_document(const Judgement& judgement, bool hidden) {
   part["unexpected"] = !hidden && judgement.is_unexpected();
   part["expected"] = name_of(claim.expected_verdict);
   part["has_repeat"] = !claim.checks.empty();
-  part["repeat"] = fmt::format("phytobench run {} --tier {} --out results",
+  part["repeat"] = fmt::format("phytobench run {} --tier {} --out results/again",
                                fmt::join(experiments_of(claim), " "), name_of(claim.tier));
   part["checks"] = hidden ? ordered_json::array() : checks_part(judgement);
   part["problems"] = hidden ? ordered_json::array() : problems_part(judgement);
