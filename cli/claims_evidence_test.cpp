@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/contract/text_file.hpp"
 #include "core/record/run_files.hpp"
 #include "experiments/experiment_registry.hpp"
 #include "experiments/run_experiments.hpp"
@@ -59,20 +60,44 @@ void expect_timing_claims_not_measured(const JudgedRun& judged) {
   }
 }
 
-// One test, because the run behind it takes seconds.
-TEST(ClaimsEvidenceSlow, ASmokeRunMeasuresWhatClaimsNameAndSurprisesNobody) {
-  const fs::path folder = fs::path(testing::TempDir()) / "phytobench_claims_evidence";
+/// Every derived table, number for number: the readings of the sensitivity table are pinned here.
+void expect_derived_tables(const JudgedRun& judged) {
+  std::size_t cells = 0;
+  for (const JudgedTable& table : judged.papers.front().tables) {
+    if (table.table->origin != "derived") continue;
+    for (std::size_t row = 0; row < table.values.size(); ++row)
+      for (std::size_t column = 0; column < table.values[row].size(); ++column, ++cells)
+        EXPECT_EQ(table.values[row][column].value, table.table->values[row][column])
+            << table.table->measurement_at(row, column);
+  }
+  EXPECT_EQ(cells, 14u * 3u);
+}
+
+fs::path smoke_run(const char* name, int threads) {
+  const fs::path folder = fs::path(testing::TempDir()) / name;
   fs::remove_all(folder);
   run_experiments({.experiments = selected_experiments({}),
                    .header = {Tier::smoke, 0},
+                   .threads = threads,
                    .folder = folder,
                    .command_line = "test"});
+  return folder;
+}
+
+// One test, because the runs behind it take seconds.
+TEST(ClaimsEvidenceSlow, ASmokeRunMeasuresWhatClaimsNameAndSurprisesNobody) {
+  const fs::path folder = smoke_run("phytobench_smoke_one_thread", 1);
+  const fs::path again = smoke_run("phytobench_smoke_two_threads", 2);
+  EXPECT_EQ(read_text_file(folder / "records.jsonl"), read_text_file(again / "records.jsonl"))
+      << "the same seed must give the same bytes for any number of threads";
   const RunContents run = read_run(folder);
   fs::remove_all(folder);
+  fs::remove_all(again);
   expect_every_measurement_recorded(run);
   const JudgedRun judged = judge_run(run);
   expect_no_unexpected_verdict(judged);
   expect_timing_claims_not_measured(judged);
+  expect_derived_tables(judged);
 }
 
 }  // namespace

@@ -69,11 +69,14 @@ int grow(const GrowOptions& options) {
   if (options.config.empty())
     throw InputError(
         "grow needs a parameter file; phytobench grow --example prints one to start from");
+  if (options.picture == options.config)
+    throw InputError("--picture " + options.picture +
+                     " would overwrite the parameter file; name another");
   const TreeParameters parameters = read_tree_parameters(options.config);
   const LoopOptions loop = loop_options_named(options.option);
   const auto engine = engine_named(options.engine).create();
-  catch_interrupts();
   const Seedling seedling = make_seedling(parameters);
+  catch_interrupts();  // from here on there are iterations to stop between
   const GrowthResult result =
       grow_crown(seedling, *engine,
                  {.options = loop, .threads = options.threads, .observer = report_iteration});

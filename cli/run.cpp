@@ -28,6 +28,7 @@ int run(const RunOptions& options) {
     print_plan(experiments, tier);
     return 0;
   }
+  if (options.out.empty()) throw InputError("--out needs the name of a folder");
   catch_interrupts();
   run_experiments({.experiments = experiments,
                    .header = {tier, options.seed},

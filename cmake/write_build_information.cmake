@@ -7,7 +7,7 @@ if(GIT)
   if(NOT failed)
     set(COMMIT "${found}")
   endif()
-  execute_process(COMMAND ${GIT} -C ${SOURCE} status --porcelain --untracked-files=no
+  execute_process(COMMAND ${GIT} -C ${SOURCE} status --porcelain
                   OUTPUT_VARIABLE changes ERROR_QUIET)
   if(changes)
     set(SOURCE_CHANGED "true")

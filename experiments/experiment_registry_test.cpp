@@ -88,5 +88,17 @@ TEST_F(RunExperiments, KeepFinishedExperimentsWhenInterruptedAndGoOnFromThere) {
   EXPECT_EQ(read_text_file(folder_ / "records.jsonl"), after_resume);
 }
 
+TEST_F(RunExperiments, RefuseToMixWhatWasMeasuredOtherwise) {
+  RunRequest first = request(1);
+  first.experiments = selected_experiments({"*/deferred-removal"});
+  run_experiments(first);
+  const std::string environment = read_text_file(folder_ / "environment.json");
+  RunRequest other_threads = request(2);
+  other_threads.mode = RunMode::resume;
+  EXPECT_THROW(run_experiments(other_threads), InputError);
+  EXPECT_EQ(read_text_file(folder_ / "environment.json"), environment);
+  EXPECT_EQ(read_run(folder_).complete_experiments.size(), 1u);
+}
+
 }  // namespace
 }  // namespace phytobench

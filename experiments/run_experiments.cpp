@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/contract/errors.hpp"
 #include "core/record/environment.hpp"
 
 namespace phytobench {
@@ -14,13 +15,27 @@ double expected_seconds(const std::vector<const ExperimentDescriptor*>& experime
   return seconds;
 }
 
+namespace {
+
+/// One run must not mix what two programs, machines or thread counts measured.
+void refuse_other_origin(const std::filesystem::path& folder, const std::string& environment) {
+  const std::string difference = difference_of_origin(read_environment(folder), environment);
+  if (!difference.empty())
+    throw InputError(folder.string() + ": was begun otherwise (" + difference +
+                     "); resume with the same, or use another --out");
+}
+
+}  // namespace
+
 void run_experiments(const RunRequest& request) {
+  const std::string environment =
+      environment_json(request.command_line, request.header.seed, request.threads);
+  if (request.mode == RunMode::resume) refuse_other_origin(request.folder, environment);
   RunWriter writer(request.folder, request.header, request.mode);
-  writer.write_environment(
-      environment_json(request.command_line, request.header.seed, request.threads));
   std::vector<const ExperimentDescriptor*> open;
   for (const ExperimentDescriptor* experiment : request.experiments)
     if (!writer.is_complete(std::string(experiment->id))) open.push_back(experiment);
+  if (!open.empty()) writer.write_environment(environment);
 
   for (std::size_t i = 0; i < open.size(); ++i) {
     const ExperimentDescriptor& experiment = *open[i];

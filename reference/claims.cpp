@@ -20,9 +20,9 @@ constexpr std::array<std::string_view, 8> kinds = {
     "value", "count", "ratio", "ordering", "exponent", "identity", "distribution", "qualitative"};
 constexpr std::array<std::string_view, 4> bases = {"paper", "author-published", "assumed",
                                                    "fitted"};
-constexpr std::array<std::string_view, 6> whys = {"exact",          "printed rounding",
-                                                  "figure reading", "sampling error",
-                                                  "floating point", "stated bound"};
+constexpr std::array<std::string_view, 7> whys = {
+    "chosen bound",   "exact",          "printed rounding", "figure reading",
+    "sampling error", "floating point", "stated bound"};
 constexpr std::array<std::string_view, 3> tiers = {"smoke", "quick", "full"};
 constexpr std::array<std::string_view, 2> origins = {"published", "derived"};
 constexpr std::array<std::string_view, 6> subjects = {"value", "ratio", "ratio-of-ratios",

@@ -93,21 +93,26 @@ class DocumentBuilder {
   /// Verdicts by basis.
   ordered_json counts_part() const {
     ordered_json rows = ordered_json::array();
-    for (const Verdict verdict : all_verdicts) {
-      ordered_json row;
-      row["verdict"] = name_of(verdict);
-      row["class"] = verdict_class(verdict);
+    const auto add_row = [&](const std::string& name, Verdict verdict, const auto& belongs) {
+      ordered_json row{{"verdict", name}, {"class", verdict_class(verdict)}};
       std::size_t total = 0;
       std::map<std::string, std::size_t> by_basis;
       for_each_judgement([&](const Judgement& judgement) {
-        if (judgement.verdict != verdict || hidden(judgement)) return;
+        if (hidden(judgement) || judgement.verdict != verdict || !belongs(judgement)) return;
         ++total;
         ++by_basis[judgement.claim->basis];
       });
       row["total"] = total;
       for (const char* basis : bases) row["by_basis"].push_back({{"count", by_basis[basis]}});
       rows.push_back(row);
-    }
+    };
+    const auto is_built = [](const Judgement& judgement) {
+      return judgement.claim->fixed_verdict != Verdict::not_measured;
+    };
+    for (const Verdict verdict : all_verdicts)
+      add_row(std::string(name_of(verdict)), verdict, is_built);
+    add_row("not measured: not built yet", Verdict::not_measured,
+            [&](const Judgement& judgement) { return !is_built(judgement); });
     return rows;
   }
 
@@ -189,9 +194,9 @@ class DocumentBuilder {
 
   ordered_json repeat_part() const {
     const RunHeader& header = judged_.run.header;
-    return {{"run", fmt::format("phytobench run --tier {} --seed {} --out results",
+    return {{"run", fmt::format("phytobench run --tier {} --seed {} --out results/again",
                                 name_of(header.tier), header.seed)},
-            {"report", "phytobench report results"}};
+            {"report", "phytobench report results/again"}};
   }
 
   /// Measurements that no claim mentions.

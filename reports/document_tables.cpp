@@ -48,7 +48,7 @@ class TableDocument {
     document_["id"] = table_.id;
     document_["title"] = table_.title;
     document_["note"] = table_.note;
-    document_["discussion"] = table_.discussion;
+    document_["discussion"] = visible ? table_.discussion : "";  // it speaks of measured cells
     document_["not_measured"] = !visible;
     document_["hidden"] = judged_.timed && hide_times_;
     document_["grids"] = ordered_json::array();

@@ -1,38 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Wrong on purpose: never looks at the node added last.
-#include <vector>
-
-#include "core/nearest_node/point_driven_engine.hpp"
+#include "benchmarks/faulty_engines/faulty_scan.hpp"
 
 namespace phytobench::engines {
 
 namespace {
 
-class Faulty {
- public:
-  void reset(std::span<const Vector3>, double) { nodes_.clear(); }
-
-  std::uint64_t insert(std::span<const SearchableNode> nodes) {
-    nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
-    return nodes.size();
-  }
-
-  NearestHit nearest(PointIndex, const Vector3& point, const Perception& perception,
-                     WorkCounters& work) const {
-    NearestHit best{no_node, perception.beyond_reach()};
-    for (std::size_t i = 0; i + 1 < nodes_.size() || i < 1; ++i) {
-      const SearchableNode& node = nodes_[i];
-      const double squared = squared_distance(point, node.position);
-      if (!(squared < best.squared_distance)) continue;
-      if (!perception.within_angle(node.position, node.direction, point, squared)) continue;
-      best = {static_cast<NodeIndex>(i), squared};
-    }
-    work.search_evaluations += nodes_.size();
-    return best;
-  }
-
- private:
-  std::vector<SearchableNode> nodes_;
+struct Mistake : NoMistake {
+  static std::size_t nodes_looked_at(std::size_t count) { return count > 1 ? count - 1 : count; }
 };
 
 }  // namespace
@@ -42,7 +16,7 @@ constinit const EngineDescriptor forgets_newest_node{
     .name = "forgets_newest_node",
     .summary = "Wrong on purpose: never looks at the node added last.",
     .source = "a loop that ends one too early",
-    .create = make_point_driven_engine<Faulty>,
+    .create = make_point_driven_engine<FaultyScan<Mistake>>,
 };
 
 }  // namespace phytobench::engines

@@ -113,6 +113,14 @@ std::vector<std::string> marker_problems(const File& file) {
   return problems;
 }
 
+/// A document that was never filled in.
+std::vector<std::string> placeholder_problems(const File& file) {
+  std::vector<std::string> problems;
+  if (std::regex_search(file.text, std::regex("@[A-Z_]+@")))
+    problems.push_back(file.path + " has an unfilled @NAME@");
+  return problems;
+}
+
 std::vector<std::string> licence_problems(const File& file) {
   std::vector<std::string> problems;
   if (!file.text.starts_with("// SPDX-License-Identifier: MIT\n"))
@@ -199,6 +207,13 @@ TEST(MarkersTidy, NothingIsLeftOver) {
   EXPECT_EQ(marker_problems({"a.cpp", std::string("// TO") + "DO: later\n"}).size(), 1u);
   EXPECT_EQ(marker_problems({"a.cpp", "int hacksaw;\n"}).size(), 0u);
   expect_clean(std::regex(R"(\.(cpp|hpp|def|toml|md|cmake|mustache)$)"), marker_problems);
+}
+
+TEST(PlaceholdersTidy, EveryDocumentIsFilledIn) {
+  EXPECT_EQ(placeholder_problems({"a.md", "it takes @TIME@\n"}).size(), 1u);
+  const std::vector<File> documents = tracked_files(std::regex(R"(\.md$)"));
+  ASSERT_GE(documents.size(), 3u);
+  for (const File& file : documents) expect_none(placeholder_problems(file));
 }
 
 TEST(LicenceTidy, EverySourceStartsWithIt) {

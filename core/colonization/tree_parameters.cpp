@@ -87,6 +87,9 @@ Seedling make_seedling(const TreeParameters& p) {
 }
 
 std::string why_growth_cannot_start(const Seedling& seedling) {
+  if (seedling.attraction_points.empty())
+    return "growth cannot start: the cloud has no attraction points; raise cloud.density or "
+           "cloud.radii";
   double nearest = std::numeric_limits<double>::infinity();
   for (const SearchableNode& node : start_nodes(seedling))
     for (const Vector3& point : seedling.attraction_points)

@@ -26,6 +26,9 @@ struct Overloaded : Alternatives... {
 template <class... Alternatives>
 Overloaded(Alternatives...) -> Overloaded<Alternatives...>;
 
+/// Vectors stay where their squares neither overflow nor vanish.
+constexpr double largest_component = 1e15;
+
 /// The range of a number, as in ">= 0 and <= 1, whole".
 std::string allowed(const NumberKey& kind) {
   std::string text =
@@ -135,9 +138,11 @@ class TreeFileReader {
     double numbers[3];
     for (std::size_t i = 0; i < 3; ++i) {
       const auto value = (*array)[i].value<double>();
-      if (!value || !std::isfinite(*value) || (kind.must_be_positive && *value <= 0.0))
-        fail(name, fmt::format("{}[{}] must be a finite number{}", name, i,
-                               kind.must_be_positive ? " > 0" : ""));
+      if (!value || !(std::abs(*value) <= largest_component) ||
+          (kind.must_be_positive && *value < 1.0 / largest_component))
+        fail(name, fmt::format("{}[{}] must be a number between {} and {}", name, i,
+                               kind.must_be_positive ? 1.0 / largest_component : -largest_component,
+                               largest_component));
       numbers[i] = *value;
     }
     kind.place(values_) = {numbers[0], numbers[1], numbers[2]};
@@ -194,13 +199,12 @@ class TreeFileReader {
             fmt::format("{} = {} exceeds growth.influence_distance = {}; points would vanish that "
                         "never attracted anything: lower the one or raise the other",
                         key, distance, p.influence_distance));
-    if (p.cloud.cutoff_bottom + p.cloud.cutoff_top >= 1.0)
-      fail_any(
-          {"cloud.cutoff_top", "cloud.cutoff_bottom"},
-          fmt::format(
-              "cloud.cutoff_bottom + cloud.cutoff_top = {} leaves nothing of the ellipsoid; keep "
-              "the sum below 1",
-              p.cloud.cutoff_bottom + p.cloud.cutoff_top));
+    if (!(1.0 - p.cloud.cutoff_bottom - p.cloud.cutoff_top >= smallest_kept_share))
+      fail_any({"cloud.cutoff_top", "cloud.cutoff_bottom"},
+               fmt::format("cloud.cutoff_bottom + cloud.cutoff_top = {} leaves too little of the "
+                           "ellipsoid; keep "
+                           "the sum at {} or below",
+                           p.cloud.cutoff_bottom + p.cloud.cutoff_top, 1.0 - smallest_kept_share));
     check_point_count();
     if (p.stem_length / p.step_length > most_stem_pieces)
       fail_any(
@@ -229,6 +233,8 @@ class TreeFileReader {
   /// About 10 GiB of memory while growing; anything larger is taken for a typing error.
   static constexpr double most_attraction_points = 1e8;
   static constexpr double most_stem_pieces = 1e6;
+  /// Sampling tries random heights until one lies between the cuts.
+  static constexpr double smallest_kept_share = 0.01;
 
   std::string file_;
   std::vector<const toml::table*> tables_;  // a later one replaces keys of an earlier one

@@ -373,7 +373,7 @@ TEST(TreeParametersFile, ImpossibleCombinationsAreInputErrors) {
        "kill_distance_end = 1e-160\n",
        2, "growth.influence_distance = 1e-150 is too small"},
       {"\n[cloud]\ncutoff_bottom = 0.5\ncutoff_top = 0.5\n", 4,
-       "cloud.cutoff_bottom + cloud.cutoff_top = 1 leaves nothing"},
+       "cloud.cutoff_bottom + cloud.cutoff_top = 1 leaves too little"},
   };
   for (const BadFile& file : files) expect_complaint(file.text, file.line, file.part);
 }
@@ -381,7 +381,7 @@ TEST(TreeParametersFile, ImpossibleCombinationsAreInputErrors) {
 TEST(TreeParametersFile, AbsurdNumbersOfPointsAreInputErrors) {
   expect_complaint("[cloud]\ndensity = 1e12\n", 2, "cloud.density");
   expect_complaint("[cloud]\nradii = [1e5, 1e5, 1e5]\ndensity = 26.4\n", 3, "cloud.radii");
-  expect_complaint("[cloud]\nradii = [1e200, 1e200, 1e200]\ndensity = 26.4\n", 3, "cloud.radii");
+  expect_complaint("[cloud]\nradii = [1e12, 1e12, 1e12]\ndensity = 26.4\n", 3, "cloud.radii");
   EXPECT_THAT(complaint("[tropism]\ndamping_density = 1e12\n"), HasSubstr("attraction points"));
 }
 
@@ -506,6 +506,15 @@ TEST_F(TreeParametersTables, MissingFileIsAnInputErrorThatNamesIt) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), StartsWith((folder_ / "none.toml").string() + ":"));
   }
+}
+
+// Each of these once ran for hours or grew a tree from overflowed numbers.
+TEST(TreeParametersFile, NumbersThatOnlyLookHarmlessAreInputErrors) {
+  for (const char* text :
+       {"[cloud]\ncutoff_bottom = 0.9999999\ncutoff_top = 0.0\n",
+        "[tropism]\ndirection = [1e200, 0.0, 0.0]\n", "[tropism]\nweights = [0.0, 1e308, 0.0]\n",
+        "[cloud]\nradii = [1e-200, 1e-200, 1e-200]\n"})
+    EXPECT_THROW(parse_tree_parameters(text, "tree.toml"), InputError) << text;
 }
 
 }  // namespace

@@ -23,6 +23,11 @@ namespace {
                          "; nothing was changed there, free the disk or choose another folder");
 }
 
+[[noreturn]] void fail_too_large(const fs::path& file, std::uintmax_t most_bytes) {
+  throw InputError(file.string() + ": is larger than " + std::to_string(most_bytes) +
+                   " bytes; this cannot be the right file");
+}
+
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
@@ -35,13 +40,14 @@ std::string read_text_file(const fs::path& file, std::uintmax_t most_bytes) {
   if (!fs::exists(status)) throw InputError(file.string() + ": no such file");
   if (fs::is_directory(status)) throw InputError(file.string() + ": is a folder, a file is needed");
   if (fs::is_regular_file(status) && fs::file_size(file, error) > most_bytes)
-    throw InputError(file.string() + ": is larger than " + std::to_string(most_bytes) +
-                     " bytes; this cannot be the right file");
+    fail_too_large(file, most_bytes);
   std::ifstream stream(file, std::ios::binary);
   std::string text;
   std::array<char, 1 << 16> block;
-  while (stream.read(block.data(), block.size()) || stream.gcount() > 0)
+  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
     text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > most_bytes) fail_too_large(file, most_bytes);  // a device has no size to ask
+  }
   if (!stream.eof()) throw InputError(file.string() + ": cannot be read; check its permissions");
   return text;
 }

@@ -128,5 +128,9 @@ TEST_F(TextFile, MakeFolderWhereAFileIsIsAnEnvironmentError) {
   EXPECT_TRUE(fs::is_regular_file(folder_ / "file"));
 }
 
+TEST(ReadTextFile, StopsReadingADeviceWithoutEnd) {
+  EXPECT_THROW(read_text_file("/dev/zero", 1 << 20), InputError);
+}
+
 }  // namespace
 }  // namespace phytobench

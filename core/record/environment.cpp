@@ -138,4 +138,18 @@ std::string environment_json(const std::string& command_line, std::uint64_t seed
   return json.dump(2) + "\n";
 }
 
+std::string difference_of_origin(const std::string& before, const std::string& now) {
+  const ordered_json old_origin = ordered_json::parse(before, nullptr, false);
+  const ordered_json new_origin = ordered_json::parse(now);
+  if (!old_origin.is_object()) return "environment.json is damaged";
+  for (const char* pointer :
+       {"/commit", "/source_changed", "/compiler", "/flags", "/threads", "/machine/processor"}) {
+    const ordered_json::json_pointer place(pointer);
+    if (!old_origin.contains(place) || old_origin[place] == new_origin[place]) continue;
+    return fmt::format("{} {} instead of {}", pointer + 1, new_origin[place].dump(),
+                       old_origin[place].dump());
+  }
+  return "";
+}
+
 }  // namespace phytobench

@@ -34,4 +34,9 @@ Machine this_machine();
 /// environment.json: what must be known to judge and to repeat a run.
 std::string environment_json(const std::string& command_line, std::uint64_t seed, int threads);
 
+/// The first thing that must be equal in both parts of one resumed run and is not (commit,
+/// compiler, flags, threads, processor), as "commit abc instead of def"; empty if all agree or
+/// `before` holds none of it.
+std::string difference_of_origin(const std::string& before, const std::string& now);
+
 }  // namespace phytobench

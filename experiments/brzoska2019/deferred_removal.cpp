@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Option D removes points at the start of the next iteration. Five conditions under which that
 // grows the same tree as removing at once, each broken on its own; and whether new nodes alone may
-// remove points. Runs the literal oracle: core offers only what works.
+// remove points. Runs the literal oracle: core has named options only for the two
+// mistakes whose edge counts the sensitivity table lists.
 #include <cmath>
 
 #include "benchmarks/nearest_node/growth_oracle.hpp"

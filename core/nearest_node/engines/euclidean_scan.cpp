@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The literal loop of [Brzoska2019] sec. 5.2.2 with eq. 23: every node, one square root per pair.
 #include <cmath>
-#include <vector>
 
+#include "core/nearest_node/node_list.hpp"
 #include "core/nearest_node/point_driven_engine.hpp"
 
 namespace phytobench::engines {
 
 namespace {
 
-class EuclideanScan {
+class EuclideanScan : public NodeList {
  public:
-  void reset(std::span<const Vector3>, double) { nodes_.clear(); }
-
-  std::uint64_t insert(std::span<const SearchableNode> nodes) {
-    nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
-    return nodes.size();
-  }
-
   NearestHit nearest(PointIndex, const Vector3& point, const Perception& perception,
                      WorkCounters& work) const {
     NearestHit best{no_node, perception.beyond_reach()};
@@ -38,9 +31,6 @@ class EuclideanScan {
     work.search_evaluations += nodes_.size();
     return best;
   }
-
- private:
-  std::vector<SearchableNode> nodes_;
 };
 
 }  // namespace

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The literal loop of [Brzoska2019] sec. 5.2.2 with eq. 24: every node, no square root.
-#include <vector>
-
+#include "core/nearest_node/node_list.hpp"
 #include "core/nearest_node/point_driven_engine.hpp"
 
 namespace phytobench::engines {
 
 namespace {
 
-class SquaredScan {
+class SquaredScan : public NodeList {
  public:
-  void reset(std::span<const Vector3>, double) { nodes_.clear(); }
-
-  std::uint64_t insert(std::span<const SearchableNode> nodes) {
-    nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
-    return nodes.size();
-  }
-
   NearestHit nearest(PointIndex, const Vector3& point, const Perception& perception,
                      WorkCounters& work) const {
     NearestHit best{no_node, perception.beyond_reach()};
@@ -31,9 +23,6 @@ class SquaredScan {
     work.search_evaluations += nodes_.size();
     return best;
   }
-
- private:
-  std::vector<SearchableNode> nodes_;
 };
 
 }  // namespace
