@@ -11,6 +11,7 @@
 #include "core/contract/check.hpp"
 #include "core/geometry/bounding_box.hpp"
 #include "core/nearest_node/engine.hpp"
+#include "core/nearest_node/kill_scan.hpp"
 #include "core/nearest_node/perception.hpp"
 #include "core/parallel/for_blocks.hpp"
 
@@ -83,12 +84,9 @@ class PointDrivenEngine final : public NearestNodeEngine {
     const double squared_reach = kill_distance * kill_distance;
     for_live_points(setup_.kill_filter, [&](PointIndex point, bool inside, WorkCounters& work) {
       if (!inside) return;
-      const Vector3& position = points_[static_cast<std::size_t>(point)];
-      bool reached = false;
-      for (const SearchableNode& killer : killers)
-        reached |= squared_distance(position, killer.position) <= squared_reach;
+      const auto i = static_cast<std::size_t>(point);
       work.kill_evaluations += killers.size();
-      doomed_[static_cast<std::size_t>(point)] = reached;
+      doomed_[i] = is_reached_by_any(points_[i], killers, squared_reach);
     });
     return remove_doomed();
   }
