@@ -6,6 +6,7 @@ find_package(Boost 1.74 REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(tomlplusplus 3.3 REQUIRED)
+find_package(hwy 1.0 REQUIRED)
 find_package(GTest 1.12 REQUIRED)
 find_package(benchmark 1.7)
 

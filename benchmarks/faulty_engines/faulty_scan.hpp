@@ -16,14 +16,13 @@ class FaultyScan : public NodeList {
     NearestHit best{no_node, perception.beyond_reach()};
     for (std::size_t i = 0; i < Mistake::nodes_looked_at(nodes_.size()); ++i) {
       const SearchableNode& node = nodes_[i];
-      const double squared = squared_distance(point, node.position);
+      const double squared = Mistake::measured(squared_distance(point, node.position));
       if (squared > perception.squared_reach() || !Mistake::wins(squared, best.squared_distance))
         continue;
       if (!perception.within_angle(node.position, node.direction, point, squared)) continue;
       best = {static_cast<NodeIndex>(i), squared};
     }
     work.search_evaluations += nodes_.size();
-    best.squared_distance = Mistake::told(best.squared_distance);
     return best;
   }
 };
@@ -32,7 +31,7 @@ class FaultyScan : public NodeList {
 struct NoMistake {
   static std::size_t nodes_looked_at(std::size_t count) { return count; }
   static bool wins(double candidate, double best) { return candidate < best; }
-  static double told(double squared_distance) { return squared_distance; }
+  static double measured(double squared_distance) { return squared_distance; }
 };
 
 }  // namespace phytobench

@@ -6,8 +6,10 @@ namespace phytobench::engines {
 namespace {
 
 struct Mistake : NoMistake {
-  static double told(double squared_distance) {
-    return static_cast<double>(static_cast<float>(squared_distance));
+  static double measured(double squared_distance) {
+    constexpr double kept = 0x1p45;  // of 53 bits, 45 are rounded away
+    const double lifted = squared_distance * kept;
+    return (squared_distance + lifted) - lifted;
   }
 };
 
@@ -16,8 +18,8 @@ struct Mistake : NoMistake {
 extern const EngineDescriptor rounds_distances;
 constinit const EngineDescriptor rounds_distances{
     .name = "rounds_distances",
-    .summary = "Wrong on purpose: right nodes, distances rounded to float.",
-    .source = "single precision",
+    .summary = "Wrong on purpose: compares distances rounded to eight bits.",
+    .source = "too little precision",
     .create = make_point_driven_engine<FaultyScan<Mistake>>,
 };
 

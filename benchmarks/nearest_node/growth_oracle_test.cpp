@@ -17,6 +17,11 @@ bool is_wrong_on_purpose(const EngineDescriptor& engine) {
   return engine.summary.starts_with("Wrong on purpose");
 }
 
+/// The thesis' own engines remove points by looking at every pair; others may know better.
+bool is_row_of_table_1(const EngineDescriptor& engine) {
+  return engine.source.starts_with("[Brzoska2019]");
+}
+
 /// Points and nodes that meet every engine with what tends to break one.
 struct Workload {
   const char* name;
@@ -227,7 +232,8 @@ TEST(TestTreeSlow, HasThePublishedEdgesForEveryEngineAndOption) {
       const std::uint64_t kills = option == "s" || option == "n" ? 115177619u
                                   : option == "d"                ? 96043881u
                                                                  : 52823785u;
-      EXPECT_EQ(checked.result.work.kill_evaluations, kills) << engine->name << " " << option;
+      if (is_row_of_table_1(*engine))
+        EXPECT_EQ(checked.result.work.kill_evaluations, kills) << engine->name << " " << option;
       if (engine->name != "squared_scan") continue;
       const bool boxed = option == "n" || option == "dn";
       EXPECT_EQ(checked.result.work.search_evaluations, boxed ? 237628148u : 454287315u);

@@ -33,7 +33,7 @@ class GrowthLoop {
       : seedling_(seedling),
         engine_(engine),
         run_(run),
-        step_(seedling.growth),
+        step_(seedling.growth, run.threads),
         nodes_(start_nodes(seedling)) {
     result_.skeleton = seedling.skeleton;
   }
@@ -59,7 +59,8 @@ class GrowthLoop {
             .search_filter = run_.options.point_filter,
             // Only a deferred removal walks the box-filtered loop ([Brzoska2019] sec. 5.2.2).
             .kill_filter = deferred() ? run_.options.point_filter : PointFilter::none,
-            .threads = run_.threads};
+            .threads = run_.threads,
+            .count_work = run_.count_work};
   }
 
   bool deferred() const { return run_.options.kill_timing == KillTiming::deferred; }

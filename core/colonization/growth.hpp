@@ -70,6 +70,7 @@ struct GrowthRun {
   LoopOptions options;
   int threads = 1;
   GrowthObserver observer = {};  ///< may be empty
+  bool count_work = true;        ///< false while timed, see EngineSetup
 };
 
 /// Grows the crown of `seedling` with `engine`. The tree depends on the seedling alone: not on the

@@ -21,7 +21,7 @@ class GrowthStep {
     std::size_t suppressed_repeats = 0;  ///< children not made because one stands there already
   };
 
-  explicit GrowthStep(const GrowthParameters& parameters);
+  explicit GrowthStep(const GrowthParameters& parameters, int threads = 1);
 
   /// Appends the children to `skeleton` and to `nodes`; node i of `nodes` is skeleton node first +
   /// i.
@@ -29,15 +29,39 @@ class GrowthStep {
               std::vector<SearchableNode>& nodes, Skeleton& skeleton);
 
  private:
-  Counts sum_attractions(std::span<const Vector3> points, const Assignment& assignment,
-                         const std::vector<SearchableNode>& nodes);
+  /// What an associated point adds to its node's sum.
+  struct Pull {
+    Vector3 towards;
+    NodeIndex node;  ///< no_node: given up after the search
+  };
+  /// A node with points, and the sum of their pulls.
+  struct GrowingNode {
+    Vector3 sum;
+    NodeIndex node;
+  };
+  enum class Fate : std::uint8_t { grows, repeat, no_direction };
+  struct Child {
+    SearchableNode node;
+    Fate fate;
+  };
+
+  void find_pulls(std::span<const Vector3> points, const Assignment& assignment,
+                  const std::vector<SearchableNode>& nodes);
+  Counts sum_pulls(std::size_t node_count);
+  void find_children(std::int32_t first, const std::vector<SearchableNode>& nodes,
+                     const Skeleton& skeleton);
+  Child child_of(const GrowingNode& parent, std::int32_t first,
+                 const std::vector<SearchableNode>& nodes, const Skeleton& skeleton) const;
 
   GrowthParameters parameters_;
+  int threads_;
   DirectionLimit limit_;
   Perception perception_;
-  std::vector<Vector3> sum_;              // per node
-  std::vector<std::uint8_t> is_growing_;  // per node
-  std::vector<NodeIndex> growing_;        // in order of first attraction point
+  std::vector<PointIndex> associated_;  // points that have a node, ascending
+  std::vector<Pull> pulls_;             // of the associated points
+  std::vector<std::int32_t> place_;     // per node its place in growing_, or not_growing
+  std::vector<GrowingNode> growing_;    // in order of first attraction point
+  std::vector<Child> children_;         // of the growing nodes
 };
 
 }  // namespace phytobench

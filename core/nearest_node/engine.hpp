@@ -11,12 +11,12 @@
 #include <string_view>
 
 #include "core/geometry/vector3.hpp"
+#include "core/nearest_node/point_set.hpp"
 #include "core/nearest_node/work_counters.hpp"
 
 namespace phytobench {
 
-using NodeIndex = std::int32_t;   ///< in the order in which nodes were handed to associate()
-using PointIndex = std::int32_t;  ///< in the order of the points handed to reset()
+using NodeIndex = std::int32_t;  ///< in the order in which nodes were handed to associate()
 inline constexpr NodeIndex no_node = -1;
 
 /// A node a point may be associated with. The direction (unit length) is fixed when the node is
@@ -41,14 +41,17 @@ struct EngineSetup {
   double perception_half_angle_rad = 0.0;  ///< (0, pi]; pi perceives in every direction
   PointFilter search_filter = PointFilter::none;
   PointFilter kill_filter = PointFilter::none;
-  int threads = 1;  ///< results are the same for any number
+  int threads = 1;         ///< results are the same for any number
+  bool count_work = true;  ///< false while timed: counters that cost time may stay at zero
 };
 
-/// For every point (live or not) its nearest perceiving node, or no_node. Views into the engine,
-/// valid until its next call. Entries of removed points are no_node.
+/// For every point (live or not) its nearest perceiving node, or no_node, and the set of points
+/// that have one: a thin front of the points at any time. Views into the engine, valid until its
+/// next call. Removed points have no node. No distances: whoever needs one computes it with
+/// squared_distance(), as every engine must.
 struct Assignment {
   std::span<const NodeIndex> node;
-  std::span<const double> squared_distance;  ///< meaningful only where there is a node
+  const PointSet& associated;
 };
 
 class NearestNodeEngine {
@@ -63,8 +66,8 @@ class NearestNodeEngine {
   virtual Assignment associate(std::span<const SearchableNode> new_nodes) = 0;
 
   /// Removes every live point with squared distance <= kill_distance^2 to one of `killers`,
-  /// whatever their perception angle. Returns the removed points in ascending order, valid until
-  /// the next call.
+  /// whatever their perception angle. Returns the removed points, each once, in any order; valid
+  /// until the next call.
   virtual std::span<const PointIndex> kill(std::span<const SearchableNode> killers,
                                            double kill_distance) = 0;
 

@@ -52,7 +52,7 @@ class PointDrivenEngine final : public NearestNodeEngine {
     box_ = {};
     work_ = {};
     node_of_point_.assign(points.size(), no_node);
-    squared_distance_.assign(points.size(), 0.0);
+    associated_.reset(points.size());
     live_.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) live_[i] = static_cast<PointIndex>(i);
     index_.reset(points, setup.influence_distance);
@@ -70,9 +70,9 @@ class PointDrivenEngine final : public NearestNodeEngine {
                         hit = index_.nearest(point, points_[i], perception_, work);
                       }
                       node_of_point_[i] = hit.node;
-                      squared_distance_[i] = hit.squared_distance;
                     });
-    return {node_of_point_, squared_distance_};
+    note_associated();
+    return {node_of_point_, associated_};
   }
 
   /// The default kill: every live point against every killer, without early exit, as the thesis'
@@ -121,6 +121,13 @@ class PointDrivenEngine final : public NearestNodeEngine {
     work_ += {search, kills, cells, 0, queries, angles};
   }
 
+  /// Neighbouring points share a word of the set, so one thread fills it.
+  void note_associated() {
+    associated_.clear();
+    for (const PointIndex point : live_)
+      if (node_of_point_[static_cast<std::size_t>(point)] != no_node) associated_.insert(point);
+  }
+
   /// Takes the marked points out of the live list, which stays ascending.
   std::span<const PointIndex> remove_doomed() {
     removed_.clear();
@@ -129,6 +136,7 @@ class PointDrivenEngine final : public NearestNodeEngine {
       const auto i = static_cast<std::size_t>(point);
       if (doomed_[i]) {
         node_of_point_[i] = no_node;
+        associated_.erase(point);
         removed_.push_back(point);
       } else {
         live_[kept++] = point;
@@ -145,7 +153,7 @@ class PointDrivenEngine final : public NearestNodeEngine {
   Index index_;
   std::vector<PointIndex> live_;
   std::vector<NodeIndex> node_of_point_;
-  std::vector<double> squared_distance_;
+  PointSet associated_;
   std::vector<std::uint8_t> doomed_;
   std::vector<PointIndex> removed_;
   WorkCounters work_;

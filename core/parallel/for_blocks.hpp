@@ -13,4 +13,8 @@ namespace phytobench {
 void for_blocks(std::size_t count, int threads,
                 const std::function<void(std::size_t begin, std::size_t end)>& body);
 
+/// Runs body(0) ... body(count - 1), each once, on up to `threads` threads; in ascending order with
+/// one. For few pieces of unequal size.
+void for_tasks(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
+
 }  // namespace phytobench

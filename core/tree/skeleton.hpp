@@ -32,6 +32,11 @@ class Skeleton {
   /// Whether `parent` already has a child exactly at `position` (equal coordinates, no tolerance).
   bool has_child_at(std::int32_t parent, const Vector3& position) const;
 
+  /// Has the processor fetch what has_child_at() will need.
+  void prefetch_children(std::int32_t parent) const {
+    __builtin_prefetch(&newest_child_[static_cast<std::size_t>(parent)]);
+  }
+
  private:
   std::vector<Vector3> positions_;
   std::vector<std::int32_t> parents_;

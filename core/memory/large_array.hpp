@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <type_traits>
+
+namespace phytobench {
+
+/// At least `bytes` bytes on a cache line, uninitialised. Large pieces come in huge pages where the
+/// system has them: random access to hundreds of megabytes in small pages is bound by address
+/// translation. Throws std::bad_alloc. Free with std::free.
+void* allocate_large(std::size_t bytes);
+
+/// Memory for plain data that is written before it is read: not initialised. Keeps its memory when
+/// asked for less.
+template <class T>
+class LargeArray {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  void resize_for_overwrite(std::size_t count) {
+    if (count > capacity_) {
+      memory_.reset();
+      memory_.reset(static_cast<T*>(allocate_large(count * sizeof(T))));
+      capacity_ = count;
+    }
+    size_ = count;
+  }
+
+  std::size_t size() const { return size_; }
+  T* data() { return memory_.get(); }
+  const T* data() const { return memory_.get(); }
+  T* begin() { return data(); }
+  T* end() { return data() + size_; }
+  T& operator[](std::size_t i) { return data()[i]; }
+  const T& operator[](std::size_t i) const { return data()[i]; }
+
+ private:
+  struct Free {
+    void operator()(T* memory) const { std::free(memory); }
+  };
+  std::unique_ptr<T, Free> memory_;
+  std::size_t size_ = 0;
+  std::size_t capacity_ = 0;
+};
+
+}  // namespace phytobench

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "core/nearest_node/node_driven/row_index.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "core/parallel/for_blocks.hpp"
+
+namespace phytobench {
+
+namespace {
+
+constexpr double nowhere = std::numeric_limits<double>::infinity();
+
+// Measured on clouds of 1e4 to 1e7 points: thinner rows look at fewer points, but at more rows.
+constexpr double row_edge_per_reach = 0.55;
+constexpr double cell_per_reach = 0.2;
+constexpr double most_chunks_per_point = 1.0;
+constexpr std::size_t points_worth_slabs = 200'000;
+constexpr std::int32_t chunks_per_slab = 16;
+
+double largest_coordinate(const BoundingBox& box) {
+  double largest = 0.0;
+  for (const Vector3& corner : {box.low(), box.high()})
+    largest = std::max({largest, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
+  return largest;
+}
+
+}  // namespace
+
+RowShape row_shape(const BoundingBox& box, std::size_t count, double reach) {
+  RowShape shape;
+  if (box.empty()) return shape;
+  const Vector3 extent = box.extent();
+  shape.low = box.low();
+  shape.margin = reach * 0x1p-30 + largest_coordinate(box) * 0x1p-46;
+  const double longest = std::max({extent.x, extent.y, extent.z});
+  const double most_chunks =
+      std::min(most_chunks_per_point * static_cast<double>(count) + 64.0, 5e7);  // 32-bit offsets
+  // No finer than a double can tell cells apart, and not zero for a single point.
+  double edge = std::max(
+      {row_edge_per_reach * reach, 0x1p-20 * longest, std::numeric_limits<double>::min() * 0x1p20});
+  for (;; edge *= 1.25) {
+    shape.row_edge = edge;
+    shape.cell_x = edge * (cell_per_reach / row_edge_per_reach);
+    const double chunks = std::floor(extent.x / (shape.cell_x * RowShape::chunk_cells)) + 1.0;
+    const double rows_y = std::floor(extent.y / edge) + 1.0;
+    const double rows_z = std::floor(extent.z / edge) + 1.0;
+    if (chunks * rows_y * rows_z > most_chunks) continue;
+    shape.chunks = static_cast<std::int32_t>(chunks);
+    if (count > points_worth_slabs && shape.chunks > chunks_per_slab) {
+      shape.slabs = (shape.chunks + chunks_per_slab - 1) / chunks_per_slab;
+      shape.chunks = chunks_per_slab;
+    }
+    shape.rows_y = static_cast<std::int32_t>(rows_y);
+    shape.rows_z = static_cast<std::int32_t>(rows_z);
+    return shape;
+  }
+}
+
+std::int32_t RowIndex::cell_along_x(const Vector3& point) const {
+  return std::min(static_cast<std::int32_t>((point.x - shape_.low.x) * inverse_x_),
+                  shape_.slabs * shape_.cells() - 1);
+}
+
+RowIndex::Cell RowIndex::cell_of(const Vector3& point) const {
+  const auto y = std::min(static_cast<std::int32_t>((point.y - shape_.low.y) * inverse_row_),
+                          shape_.rows_y - 1);
+  const auto z = std::min(static_cast<std::int32_t>((point.z - shape_.low.z) * inverse_row_),
+                          shape_.rows_z - 1);
+  const std::int32_t x = cell_along_x(point);
+  const std::int32_t slab = x / shape_.cells();
+  return {(slab * shape_.rows_z + z) * shape_.rows_y + y, x - slab * shape_.cells()};
+}
+
+bool RowIndex::reset(std::span<const Vector3> points, const RowShape& shape, double unset,
+                     int threads) {
+  shape_ = shape;
+  inverse_x_ = 1.0 / shape.cell_x;
+  inverse_row_ = 1.0 / shape.row_edge;
+  if (!count_rows(points, threads)) return false;
+  const auto rows = static_cast<std::size_t>(shape.rows());
+  blocks_.resize_for_overwrite(points.size() / PointBlock::width + 1);
+  entries_.resize_for_overwrite(rows * static_cast<std::size_t>(shape.row_entries()) + 1);
+  for_blocks(rows, threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<UnsortedPoint> unsorted;
+    for (std::size_t row = begin; row < end; ++row)
+      sort_row(points, unset, static_cast<std::int32_t>(row), unsorted);
+  });
+  for (std::size_t slot = points.size(); slot < blocks_.size() * PointBlock::width; ++slot)
+    put(static_cast<std::int32_t>(slot), {nowhere, 0.0, 0.0}, -1.0, -1);
+  return true;
+}
+
+/// Sorts point indices by row into original_ and notes where each row begins.
+bool RowIndex::count_rows(std::span<const Vector3> points, int threads) {
+  const auto rows = static_cast<std::size_t>(shape_.rows());
+  LargeArray<std::int32_t> row_of;
+  row_of.resize_for_overwrite(points.size());
+  for_blocks(points.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) row_of[i] = cell_of(points[i]).row;
+  });
+  row_begins_.resize_for_overwrite(rows + 1);
+  std::fill(row_begins_.begin(), row_begins_.end(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    ++row_begins_[static_cast<std::size_t>(row_of[i])];
+  std::int32_t begin = 0;
+  bool fits = true;
+  for (std::size_t row = 0; row <= rows; ++row) {
+    const std::int32_t count = row_begins_[row];
+    fits &= static_cast<std::size_t>(count) <= most_slots_per_row;
+    row_begins_[row] = begin;
+    begin += count;
+  }
+  if (!fits) return false;
+  original_.resize_for_overwrite((points.size() / PointBlock::width + 1) * PointBlock::width);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::int32_t& next = row_begins_[static_cast<std::size_t>(row_of[i])];
+    original_[static_cast<std::size_t>(next++)] = static_cast<PointIndex>(i);
+  }
+  // Each count has run on to the next row's begin.
+  for (std::size_t row = rows; row > 0; --row) row_begins_[row] = row_begins_[row - 1];
+  row_begins_[0] = 0;
+  return true;
+}
+
+/// Sorts the points of one row into cells: counts, sums, places.
+void RowIndex::sort_row(std::span<const Vector3> points, double unset, std::int32_t row,
+                        std::vector<UnsortedPoint>& unsorted) {
+  const std::int32_t begin = row_begins_[static_cast<std::size_t>(row)];
+  const std::int32_t end = row_begins_[static_cast<std::size_t>(row) + 1];
+  const std::int32_t first_cell = row / shape_.rows_per_slab() * shape_.cells();
+  const auto count = static_cast<std::size_t>(shape_.row_entries());
+  std::uint16_t* const entries = entries_.data() + static_cast<std::size_t>(row) * count;
+  std::fill_n(entries, count, std::uint16_t{0});
+  unsorted.clear();
+  constexpr std::int32_t ahead = 8;  // the points lie anywhere in memory
+  for (std::int32_t slot = begin; slot < end; ++slot) {
+    const PointIndex soon = original(std::min(slot + ahead, end - 1));
+    __builtin_prefetch(&points[static_cast<std::size_t>(soon)]);
+    const PointIndex index = original(slot);
+    const Vector3& point = points[static_cast<std::size_t>(index)];
+    const std::int32_t entry = RowShape::entry_of(cell_along_x(point) - first_cell);
+    unsorted.push_back({point, index, entry});
+    ++entries[entry];
+  }
+  std::uint16_t sum = 0;
+  for (std::size_t entry = 0; entry < count; ++entry)
+    sum = static_cast<std::uint16_t>(sum + std::exchange(entries[entry], sum));
+  for (const UnsortedPoint& p : unsorted)
+    put(begin + entries[p.entry]++, p.position, unset, p.index);
+  // Each cell's begin has run on to the next cell's.
+  std::move_backward(entries, entries + count - 1, entries + count);
+  entries[0] = 0;
+}
+
+void RowIndex::put(std::int32_t slot, const Vector3& point, double best, PointIndex index) {
+  PointBlock& block = block_of(slot);
+  const std::int32_t lane = slot % PointBlock::width;
+  block.x[lane] = point.x;
+  block.y[lane] = point.y;
+  block.z[lane] = point.z;
+  block.best[lane] = best;
+  original_[static_cast<std::size_t>(slot)] = index;
+}
+
+std::size_t RowIndex::bytes() const {
+  return blocks_.size() * sizeof(PointBlock) + original_.size() * sizeof(PointIndex) +
+         entries_.size() * sizeof(std::uint16_t) + row_begins_.size() * sizeof(std::int32_t);
+}
+
+std::int32_t RowIndex::chunk_of(std::int32_t slot) const {
+  const PointBlock& block = blocks_[static_cast<std::size_t>(slot / PointBlock::width)];
+  const std::int32_t lane = slot % PointBlock::width;
+  const Cell cell = cell_of({block.x[lane], block.y[lane], block.z[lane]});
+  return cell.row * shape_.row_entries() + cell.x / RowShape::chunk_cells * RowShape::chunk_entries;
+}
+
+void RowIndex::empty(std::int32_t slot) {
+  PointBlock& block = block_of(slot);
+  block.x[slot % PointBlock::width] = nowhere;
+  block.best[slot % PointBlock::width] = -1.0;
+}
+
+void RowIndex::compact(std::int32_t chunk) {
+  std::uint16_t* const entry = &entries_[static_cast<std::size_t>(chunk)];
+  const std::int32_t row_begin =
+      row_begins_[static_cast<std::size_t>(chunk / shape_.row_entries())];
+  std::int32_t from = row_begin + entry[0];
+  std::int32_t to = from;
+  for (std::int32_t cell = 0; cell < RowShape::chunk_cells; ++cell) {
+    const std::int32_t end = row_begin + entry[cell + 1];
+    entry[cell] = static_cast<std::uint16_t>(to - row_begin);
+    for (; from < end; ++from) {
+      const PointBlock& block = block_of(from);
+      const std::int32_t lane = from % PointBlock::width;
+      if (block.best[lane] < 0.0) continue;
+      if (from != to)
+        put(to, {block.x[lane], block.y[lane], block.z[lane]}, block.best[lane], original(from));
+      ++to;
+    }
+  }
+  entry[RowShape::chunk_cells] = static_cast<std::uint16_t>(to - row_begin);
+  for (; to < from; ++to) empty(to);
+}
+
+}  // namespace phytobench
