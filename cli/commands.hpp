@@ -47,6 +47,23 @@ struct GrowOptions {
 };
 int grow(const GrowOptions& options);
 
+struct RaceOptions {
+  std::string what;  ///< nearest-node
+  double points = 25298;
+  int iterations = 0;  ///< 0: as many as the size asks for
+  std::vector<std::string> engines{"all"};
+  std::vector<std::string> options{"s", "d", "n", "dn"};
+  int threads = 1;
+  double density = 0.0;  ///< 0: that of the thesis' test tree
+  double budget = 120.0;
+  int rounds = 0;  ///< 0: as many as fit into a minute, at least 3
+  std::uint64_t seed = 0;
+  std::string cloud;  ///< CSV file; empty: the scaled test tree
+  bool json = false;
+  std::string command_line;
+};
+int race(const RaceOptions& options);
+
 struct DoctorOptions {
   bool json = false;
 };

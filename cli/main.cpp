@@ -33,6 +33,7 @@ struct Commands {
   RunOptions run;
   ReportOptions report;
   GrowOptions grow;
+  RaceOptions race;
   DoctorOptions doctor;
   std::function<int()> chosen = {};
 };
@@ -101,6 +102,43 @@ void add_grow(CLI::App& app, Commands& commands) {
   sub->callback([&] { commands.chosen = [&] { return grow(commands.grow); }; });
 }
 
+void add_race(CLI::App& app, Commands& commands) {
+  RaceOptions& options = commands.race;
+  CLI::App* sub = app.add_subcommand("race", "Prove engines exact, then time them in turns");
+  sub->add_option("what", options.what, "nearest-node")->required();
+  sub->add_option("--points", options.points, "Attraction points of the scaled test tree, about")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 2e8));
+  sub->add_option("--iterations", options.iterations, "Iterations; 0: as the size asks for")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1000000));
+  sub->add_option("--engines", options.engines, "all, or names; comma-separated")
+      ->delimiter(',')
+      ->capture_default_str();
+  sub->add_option("--options", options.options, "Loop options S, D, N, DN; comma-separated")
+      ->delimiter(',')
+      ->capture_default_str();
+  sub->add_option("--threads", options.threads, "Threads of engines and growth")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  sub->add_option("--density", options.density, "Points per unit volume; 0: that of the test tree")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e9));
+  sub->add_option("--budget", options.budget,
+                  "Seconds for one growth; what is predicted to take longer is skipped")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 1e6));
+  sub->add_option("--rounds", options.rounds, "Timed rounds; 0: what fits into a minute, 3 to 25")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1000));
+  sub->add_option("--seed", options.seed, "Of the cloud and the order of timing")
+      ->capture_default_str()
+      ->check(whole_number);
+  sub->add_option("--cloud", options.cloud, "CSV file with your own points: columns x, y, z");
+  sub->add_flag("--json", options.json, "One JSON document");
+  sub->callback([&] { commands.chosen = [&] { return race(commands.race); }; });
+}
+
 void add_doctor(CLI::App& app, Commands& commands) {
   CLI::App* sub =
       app.add_subcommand("doctor", "What is installed, what is missing, is this machine quiet");
@@ -143,11 +181,12 @@ int run_command_line(int argc, char** argv) {
                                                 build_information::commit));
   app.require_subcommand(1);
   Commands commands;
-  commands.run.command_line = joined(argc, argv);
+  commands.run.command_line = commands.race.command_line = joined(argc, argv);
   add_list(app, commands);
   add_run(app, commands);
   add_report(app, commands);
   add_grow(app, commands);
+  add_race(app, commands);
   add_doctor(app, commands);
   refuse_unknown_command(app, argc, argv);
   try {

@@ -10,6 +10,20 @@ find_package(hwy 1.0 REQUIRED)
 find_package(GTest 1.12 REQUIRED)
 find_package(benchmark 1.7)
 
+# Peers of the nearest-node engines. Whatever is missing shows as "not built".
+find_package(nanoflann 1.4 QUIET)
+if(PHYTOBENCH_WITH_GPL)
+  find_package(CGAL 5.5 QUIET)
+endif()
+# The package's own target links whole static archives, its pkg-config file MPI and HDF5; the headers need only lz4.
+find_path(FLANN_INCLUDE_FOLDER flann/flann.hpp)
+find_library(LZ4_LIBRARY lz4)
+if(FLANN_INCLUDE_FOLDER AND LZ4_LIBRARY)
+  add_library(flann_headers INTERFACE)
+  target_include_directories(flann_headers SYSTEM INTERFACE ${FLANN_INCLUDE_FOLDER})
+  target_link_libraries(flann_headers INTERFACE ${LZ4_LIBRARY})
+endif()
+
 # Header-only libraries without a CMake package of their own.
 function(phytobench_header_library NAME HEADER)
   find_path(${NAME}_INCLUDE_FOLDER ${HEADER} REQUIRED)

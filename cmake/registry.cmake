@@ -1,9 +1,10 @@
 # One .def list per kind of interchangeable thing is the only list: C++ includes it to build its table,
 # CMake reads it here to find the sources. A line is KIND(name, DEPENDENCY) or KIND(folder, name, DEPENDENCY).
 
-# Appends to OUT_SOURCES the source of every entry of DEF_FILE and to OUT_LIBRARIES the targets they need. Where
-# DEPENDENCY is no known target, STUB (a template with @NAME@ and @PACKAGE@) stands in for the source;
-# without a STUB a missing dependency is an error.
+# Appends to OUT_SOURCES the source of every entry of DEF_FILE, or its object file where it depends on something: that
+# is compiled in a target of its own (engine_<name>), so that no library's flags reach other sources. OUT_LIBRARIES
+# are what those need when linked. Where DEPENDENCY is no known target, STUB (a template with @NAME@ and @PACKAGE@)
+# stands in for the source; without a STUB a missing dependency is an error.
 function(phytobench_registered DEF_FILE KIND SOURCE_FOLDER STUB OUT_SOURCES OUT_LIBRARIES)
   set(sources "")
   set(libraries "")
@@ -23,11 +24,16 @@ function(phytobench_registered DEF_FILE KIND SOURCE_FOLDER STUB OUT_SOURCES OUT_
     if(NOT EXISTS ${source})
       message(FATAL_ERROR "${DEF_FILE} lists '${path}', but ${source} does not exist")
     endif()
-    if(dependency STREQUAL "NONE" OR TARGET ${dependency})
+    if(dependency STREQUAL "NONE")
       list(APPEND sources ${source})
-      if(NOT dependency STREQUAL "NONE")
-        list(APPEND libraries ${dependency})
-      endif()
+    elseif(TARGET ${dependency})
+      get_filename_component(name ${path} NAME)
+      string(TOLOWER ${KIND}_${name} target)
+      add_library(${target} OBJECT ${source})
+      target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+      target_link_libraries(${target} PRIVATE ${dependency})
+      list(APPEND sources $<TARGET_OBJECTS:${target}>)
+      list(APPEND libraries $<LINK_ONLY:${dependency}>)
     elseif(STUB)
       get_filename_component(NAME ${path} NAME)
       set(PACKAGE ${dependency})

@@ -6,7 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "benchmarks/nearest_node/growth_oracle.hpp"
+#include "benchmarks/nearest_node/checked_growth.hpp"
 #include "core/colonization/tree_parameters_file.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 #include "reference/data_folder.hpp"

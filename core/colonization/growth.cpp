@@ -59,6 +59,7 @@ class GrowthLoop {
             .search_filter = run_.options.point_filter,
             // Only a deferred removal walks the box-filtered loop ([Brzoska2019] sec. 5.2.2).
             .kill_filter = deferred() ? run_.options.point_filter : PointFilter::none,
+            .associations = growth.iterations,
             .threads = run_.threads,
             .count_work = run_.count_work};
   }

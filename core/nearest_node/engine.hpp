@@ -41,6 +41,7 @@ struct EngineSetup {
   double perception_half_angle_rad = 0.0;  ///< (0, pi]; pi perceives in every direction
   PointFilter search_filter = PointFilter::none;
   PointFilter kill_filter = PointFilter::none;
+  int associations = 0;    ///< how many calls of associate() will follow at most; 0: not known
   int threads = 1;         ///< results are the same for any number
   bool count_work = true;  ///< false while timed: counters that cost time may stay at zero
 };

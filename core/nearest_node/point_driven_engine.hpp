@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The one driver of all engines that ask, point by point, "which node is nearest?". It keeps the
-// live points and the box of option N, and offers the default kill scan. An engine adds only its
+// live points and the box of option N, and removes points. An engine adds only its
 // node index.
 #pragma once
 
@@ -11,6 +11,7 @@
 #include "core/contract/check.hpp"
 #include "core/geometry/bounding_box.hpp"
 #include "core/nearest_node/engine.hpp"
+#include "core/nearest_node/kill_grid.hpp"
 #include "core/nearest_node/kill_scan.hpp"
 #include "core/nearest_node/perception.hpp"
 #include "core/parallel/for_blocks.hpp"
@@ -41,7 +42,13 @@ concept NodeSearchIndex = std::default_initializable<Index> &&
   { constant.nearest(point, points[0], perception, work) } -> std::same_as<NearestHit>;
 };
 
-template <NodeSearchIndex Index>
+/// How points near new nodes are found.
+enum class KillBy {
+  scan,  ///< every live point against every killer, without early exit, as the thesis' rows have it
+  grid,  ///< killers in a grid
+};
+
+template <NodeSearchIndex Index, KillBy kill_by>
 class PointDrivenEngine final : public NearestNodeEngine {
  public:
   void reset(std::span<const Vector3> points, const EngineSetup& setup) override {
@@ -75,18 +82,21 @@ class PointDrivenEngine final : public NearestNodeEngine {
     return {node_of_point_, associated_};
   }
 
-  /// The default kill: every live point against every killer, without early exit, as the thesis'
-  /// rows have it.
   std::span<const PointIndex> kill(std::span<const SearchableNode> killers,
                                    double kill_distance) override {
     extend_box(killers);
     doomed_.assign(points_.size(), 0);
     const double squared_reach = kill_distance * kill_distance;
+    if constexpr (kill_by == KillBy::grid) grid_.build(killers, kill_distance);
     for_live_points(setup_.kill_filter, [&](PointIndex point, bool inside, WorkCounters& work) {
       if (!inside) return;
       const auto i = static_cast<std::size_t>(point);
-      work.kill_evaluations += killers.size();
-      doomed_[i] = is_reached_by_any(points_[i], killers, squared_reach);
+      if constexpr (kill_by == KillBy::grid) {
+        doomed_[i] = grid_.reaches(points_[i], work.kill_evaluations);
+      } else {
+        work.kill_evaluations += killers.size();
+        doomed_[i] = is_reached_by_any(points_[i], killers, squared_reach);
+      }
     });
     return remove_doomed();
   }
@@ -151,6 +161,7 @@ class PointDrivenEngine final : public NearestNodeEngine {
   Perception perception_{1.0, 1.0};
   BoundingBox box_;
   Index index_;
+  KillGrid grid_;
   std::vector<PointIndex> live_;
   std::vector<NodeIndex> node_of_point_;
   PointSet associated_;
@@ -160,9 +171,9 @@ class PointDrivenEngine final : public NearestNodeEngine {
 };
 
 /// Factory for a descriptor.
-template <NodeSearchIndex Index>
+template <NodeSearchIndex Index, KillBy kill_by = KillBy::scan>
 std::unique_ptr<NearestNodeEngine> make_point_driven_engine() {
-  return std::make_unique<PointDrivenEngine<Index>>();
+  return std::make_unique<PointDrivenEngine<Index, kill_by>>();
 }
 
 }  // namespace phytobench

@@ -5,7 +5,7 @@
 // mistakes whose edge counts the sensitivity table lists.
 #include <cmath>
 
-#include "benchmarks/nearest_node/growth_oracle.hpp"
+#include "benchmarks/nearest_node/checked_growth.hpp"
 #include "experiments/brzoska2019/thesis_tree.hpp"
 #include "experiments/experiment.hpp"
 

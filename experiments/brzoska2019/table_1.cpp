@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "benchmarks/nearest_node/growth_oracle.hpp"
+#include "benchmarks/nearest_node/checked_growth.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 #include "core/random/counter_stream.hpp"
 #include "core/tree/skeleton_svg.hpp"

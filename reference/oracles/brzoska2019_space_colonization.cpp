@@ -10,13 +10,12 @@ namespace {
 struct Growth {
   const GrowthProblem& problem;
   GrownTree tree;
-  std::vector<Point> direction;  // per node
-  std::vector<bool> flagged;     // per point: removed (the thesis' boolean array)
-  std::vector<int> new_nodes;    // of the iteration before
+  std::vector<bool> flagged;   // per point: removed (the thesis' boolean array)
+  std::vector<int> new_nodes;  // of the iteration before
 
-  explicit Growth(const GrowthProblem& p)
-      : problem(p), direction(p.start_directions), flagged(p.attraction_points.size(), false) {
+  explicit Growth(const GrowthProblem& p) : problem(p), flagged(p.attraction_points.size(), false) {
     tree.nodes = p.start_nodes;
+    tree.directions = p.start_directions;
     tree.parents = p.start_parents;
   }
 
@@ -24,12 +23,13 @@ struct Growth {
   // As cosines: cos(angle) >= cos(theta/2), multiplied by the distance.
   bool perceives(std::size_t v, Point p, double distance) const {
     if (problem.theta_rad / 2 >= std::numbers::pi) return true;
-    return scalar_product(direction[v], minus(p, tree.nodes[v])) >=
+    return scalar_product(tree.directions[v], minus(p, tree.nodes[v])) >=
            std::cos(problem.theta_rad / 2) * distance;
   }
 
   void associate() {
     GrowthPass pass;
+    pass.nodes_seen = tree.nodes.size();
     pass.nearest.assign(flagged.size(), -1);
     pass.squared_distance.assign(flagged.size(), 0);
     const bool cone_first = !problem.departures.cone_after_search;
@@ -110,13 +110,13 @@ struct Growth {
                           ? equation_10_as_printed(sum, problem.g)
                           : equation_10_corrected(sum, problem.g);
       if (!(length(n) > 0)) continue;  // nothing is left to follow: 0/0
-      const Point towards = turned_back(n, direction[v]);
+      const Point towards = turned_back(n, tree.directions[v]);
       const Point position = equation_8(tree.nodes[v], problem.D, towards);
       if (!problem.departures.no_repeat_guard && stands_there(v, position)) continue;
       new_nodes.push_back(static_cast<int>(tree.nodes.size()));
       tree.nodes.push_back(position);
       tree.parents.push_back(static_cast<int>(v));
-      direction.push_back(towards);
+      tree.directions.push_back(towards);
     }
   }
 

@@ -3,6 +3,7 @@
 // purpose: every engine and every loop option is judged against this. Shares no code with core/.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -49,10 +50,12 @@ struct GrowthProblem {
 struct GrowthPass {
   std::vector<int> nearest;              ///< per attraction point its node, or -1
   std::vector<double> squared_distance;  ///< where there is a node
+  std::size_t nodes_seen = 0;            ///< the first so many nodes of the tree stood already
 };
 
 struct GrownTree {
   std::vector<Point> nodes;
+  std::vector<Point> directions;  ///< unit vectors
   std::vector<int> parents;
   std::vector<GrowthPass> passes;          ///< one per executed iteration
   std::vector<std::vector<int>> removals;  ///< the points of each removal, in the order of removals

@@ -16,9 +16,9 @@ namespace {
 constexpr double nowhere = std::numeric_limits<double>::infinity();
 
 // Measured on clouds of 1e4 to 1e7 points: thinner rows look at fewer points, but at more rows.
-constexpr double row_edge_per_reach = 0.55;
-constexpr double cell_per_reach = 0.2;
-constexpr double most_chunks_per_point = 1.0;
+constexpr double row_edge_per_reach = 0.6;
+constexpr double cell_per_reach = 0.25;
+constexpr double most_chunks_per_point = 0.7;
 constexpr std::size_t points_worth_slabs = 200'000;
 constexpr std::int32_t chunks_per_slab = 16;
 

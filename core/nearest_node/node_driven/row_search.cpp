@@ -52,6 +52,8 @@ bool RowSearch::reset(std::span<const Vector3> points, const EngineSetup& setup)
   setup_ = setup;
   work_ = {};
   scanned_.clear();
+  associations_ = 0;
+  sees_kills_only_ = false;
   BoundingBox box;
   for (const Vector3& point : points) box.extend(point);
   const double reach = setup.influence_distance;
@@ -130,6 +132,11 @@ void RowSearch::sort_by_brick(Layer& layer, std::span<const SearchableNode> node
   }
 }
 
+void RowSearch::look_as_far_as(double distance) {
+  stencil_.reset(index_.shape(), distance);
+  sees_kills_only_ = distance < setup_.influence_distance;
+}
+
 void RowSearch::scan(std::span<const SearchableNode> nodes, double squared_kill) {
   for_each_layer([&](Layer& layer) {
     choose_nodes(layer, nodes);
@@ -155,6 +162,8 @@ bool RowSearch::was_scanned(std::span<const SearchableNode> nodes) const {
 void RowSearch::associate(std::span<const SearchableNode> nodes, NodeIndex first,
                           std::vector<Association>& found) {
   std::size_t from = 0;
+  ++associations_;
+  if (sees_kills_only_) look_as_far_as(setup_.influence_distance);
   if (was_scanned(nodes)) {
     from = scanned_.size() - nodes.size();
   } else {
@@ -192,8 +201,11 @@ void RowSearch::remove(std::span<const SearchableNode> killers, double squared_k
   for_each_layer([&](Layer& layer) {
     for (const std::int32_t chunk : layer.result.chunks) index_.compact(chunk);
   });
+  const bool is_last = setup_.associations > 0 && associations_ >= setup_.associations;
+  if (is_last) look_as_far_as(std::sqrt(squared_kill));
   scan(killers, squared_kill);
-  scanned_.assign(killers.begin(), killers.end());
+  scanned_.clear();
+  if (!is_last) scanned_.assign(killers.begin(), killers.end());
   for (const Layer& layer : layers_) {
     work_.kill_evaluations += layer.result.pairs;
     work_.cells_visited += layer.result.blocks;

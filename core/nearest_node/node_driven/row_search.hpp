@@ -12,7 +12,8 @@ namespace phytobench {
 /// shared out among threads.
 ///
 /// A growing tree first removes the points around its new nodes and then associates the others with
-/// the same nodes, so one scan serves both: remove() notes what associate() will be asked.
+/// the same nodes, so one scan serves both: remove() notes what associate() will be asked, unless
+/// no association is to follow.
 class RowSearch final : public PointSearch {
  public:
   /// False if the points do not suit this index; call nothing else then.
@@ -38,6 +39,7 @@ class RowSearch final : public PointSearch {
   };
 
   void cut_into_layers();
+  void look_as_far_as(double distance);
   void scan(std::span<const SearchableNode> nodes, double squared_kill);
   bool was_scanned(std::span<const SearchableNode> nodes) const;
   void choose_nodes(Layer& layer, std::span<const SearchableNode> nodes) const;
@@ -53,6 +55,8 @@ class RowSearch final : public PointSearch {
   double bricks_per_length_ = 0.0;
   std::vector<Layer> layers_;
   std::vector<SearchableNode> scanned_;  ///< nodes whose hits are known and not yet used
+  int associations_ = 0;                 ///< so far
+  bool sees_kills_only_ = false;         ///< the stencil does not cover the influence distance
   WorkCounters work_;
 };
 

@@ -7,31 +7,13 @@
 #include <optional>
 #include <string>
 
+#include "benchmarks/nearest_node/growth_judge.hpp"
 #include "core/colonization/growth.hpp"
 #include "core/nearest_node/engine.hpp"
-#include "reference/oracles/brzoska2019_space_colonization.hpp"
 
 namespace phytobench {
 
-/// The oracle's problem for a seedling: the same inputs in the oracle's own words.
-oracles::brzoska2019::GrowthProblem oracle_problem(const Seedling& seedling);
-
 struct CheckedGrowth;
-
-/// The literal answer for one seedling, computed once.
-class GrowthOracle {
- public:
-  explicit GrowthOracle(const Seedling& seedling);
-
-  const oracles::brzoska2019::GrownTree& tree() const { return tree_; }
-
-  /// Hash of the whole skeleton, stem included, as tree_hash() would give it.
-  const std::string& hash() const { return hash_; }
-
- private:
-  oracles::brzoska2019::GrownTree tree_;
-  std::string hash_;
-};
 
 /// An engine and a run that agreed with the oracle in every iteration. Only grow_checked() makes
 /// one, and only one of these can be timed.
@@ -42,9 +24,10 @@ class VerifiedRun {
   GrowthResult grow() const;
 
   const EngineDescriptor& engine() const { return *engine_; }
+  const std::string& hash() const { return hash_; }
 
  private:
-  friend CheckedGrowth grow_checked(const EngineDescriptor&, const Seedling&, const GrowthOracle&,
+  friend CheckedGrowth grow_checked(const EngineDescriptor&, const Seedling&, GrowthJudge&,
                                     const GrowthRun&);
   VerifiedRun(const EngineDescriptor& engine, const Seedling& seedling, std::string hash,
               GrowthRun run)
@@ -63,8 +46,12 @@ struct CheckedGrowth {
   std::string disagreement;  ///< iteration, point, both nodes, both distances; empty if verified
 };
 
-/// Grows with an engine and stops at its first answer that differs from the oracle's. Distances are
+/// Grows with an engine and stops at its first answer that differs from the judge's. Distances are
 /// recomputed here: an engine cannot vouch for itself.
+CheckedGrowth grow_checked(const EngineDescriptor& engine, const Seedling& seedling,
+                           GrowthJudge& judge, const GrowthRun& run);
+
+/// The same with the literal oracle.
 CheckedGrowth grow_checked(const EngineDescriptor& engine, const Seedling& seedling,
                            const GrowthOracle& oracle, const GrowthRun& run);
 

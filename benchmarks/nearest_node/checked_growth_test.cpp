@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmarks/nearest_node/growth_oracle.hpp"
+#include "benchmarks/nearest_node/checked_growth.hpp"
 
 #include <numbers>
 
@@ -154,7 +154,7 @@ TEST(WrongEngine, IsReportedWithIterationPointNodesAndDistances) {
   const CheckedGrowth checked =
       grow_checked(engine_named("breaks_ties_upwards"), seedling, oracle, {});
   for (const char* part :
-       {"iteration ", "point ", "node ", "squared distance", "the oracle has node "})
+       {"iteration ", "point ", "node ", "squared distance", "the judge has node "})
     EXPECT_NE(checked.disagreement.find(part), std::string::npos) << checked.disagreement;
 }
 

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "benchmarks/nearest_node/race.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "benchmarks/nearest_node/growth_trace.hpp"
+#include "core/contract/errors.hpp"
+#include "core/nearest_node/engine_registry.hpp"
+#include "core/random/counter_stream.hpp"
+
+namespace phytobench {
+
+namespace {
+
+double seconds_of(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Expects the time of a growth from growths of smaller trees, which are checked as all others.
+class Predictor {
+ public:
+  Predictor(double points, double density, double budget_s)
+      : points_(points), density_(density), budget_s_(budget_s) {}
+
+  /// Seconds, or 0 if it is certain to be far below the budget.
+  double predict(const EngineDescriptor& engine, const GrowthRun& run) {
+    double size = 0.0, seconds = 0.0, exponent = 2.0, predicted = 0.0;
+    for (const double pilot : {2000.0, 8000.0, 32000.0}) {
+      if (pilot > 0.5 * points_) break;
+      const double cheap = 0.02 * budget_s_;
+      if (size > 0.0 && (predicted > 20.0 * budget_s_ ||
+                         seconds * std::pow(pilot / size, exponent) > std::max(cheap, 1.0)))
+        break;
+      const double now = timed_pilot(pilot, engine, run);
+      if (now < 0.0) return 0.0;  // inexact: the check will say so
+      if (size > 0.0 && seconds > 0.0)
+        exponent = std::clamp(std::log(now / seconds) / std::log(pilot / size), 1.0, 2.5);
+      size = pilot;
+      seconds = now;
+      predicted = seconds * std::pow(points_ / size, exponent);
+      if (predicted < cheap) break;
+    }
+    return predicted;
+  }
+
+ private:
+  struct Pilot {
+    Workload workload;
+    GrowthOracle oracle;
+    explicit Pilot(Workload w) : workload(std::move(w)), oracle(workload.seedling) {}
+  };
+
+  double timed_pilot(double points, const EngineDescriptor& engine, const GrowthRun& run) {
+    auto& pilot = pilots_[points];
+    if (!pilot)
+      pilot = std::make_unique<Pilot>(scaled_test_tree({.points = points, .density = density_}));
+    const CheckedGrowth checked =
+        grow_checked(engine, pilot->workload.seedling, pilot->oracle, run);
+    return checked.verified ? checked.verified->grow().seconds.total : -1.0;
+  }
+
+  double points_;
+  double density_;
+  double budget_s_;
+  std::map<double, std::unique_ptr<Pilot>> pilots_;
+};
+
+class Race {
+ public:
+  explicit Race(const RaceRequest& request)
+      : request_(request),
+        seedling_(request.workload->seedling),
+        points_(static_cast<double>(seedling_.attraction_points.size())) {}
+
+  RaceResult run() {
+    list_entries();
+    predict();
+    make_judge();
+    check();
+    measure_memory();
+    time();
+    return std::move(result_);
+  }
+
+ private:
+  using State = RaceEntry::State;
+
+  void list_entries() {
+    for (const EngineDescriptor* engine : request_.engines)
+      for (const std::string& option : request_.options)
+        result_.entries.push_back({.engine = engine, .option = option});
+  }
+
+  GrowthRun run_of(const RaceEntry& entry) const {
+    return {.options = loop_options_named(entry.option), .threads = request_.threads};
+  }
+
+  void progress(const std::string& what) const {
+    if (request_.is_interrupted && request_.is_interrupted()) throw Interrupted();
+    if (request_.show_progress) request_.show_progress(what);
+  }
+
+  /// Shows iterations of a long growth and lets Ctrl-C through.
+  GrowthRun observed(GrowthRun run, const std::string& what) const {
+    run.observer = [this, what](const PassStatistics& pass) {
+      progress(fmt::format("{}: iteration {}, {} live points", what, pass.iteration + 1,
+                           pass.live_points));
+      return true;
+    };
+    return run;
+  }
+
+  void predict() {
+    Predictor predictor(points_, request_.workload->density, request_.budget_s);
+    for (RaceEntry& entry : result_.entries) {
+      if (!entry.engine->built()) continue;
+      progress("predicting " + entry.name());
+      entry.predicted_s = predictor.predict(*entry.engine, run_of(entry));
+      entry.state = entry.predicted_s > request_.budget_s ? State::skipped : State::inexact;
+    }
+  }
+
+  void make_judge() {
+    progress("growing the judge's tree");
+    if (seedling_.attraction_points.size() <= GrowthOracle::most_points) {
+      oracle_ = std::make_unique<GrowthOracle>(seedling_);
+      judge_ = make_literal_judge(*oracle_);
+    } else {
+      judge_ = make_grid_judge(seedling_, request_.order_seed);
+    }
+    result_.judge = judge_->name();
+  }
+
+  void check() {
+    for (RaceEntry& entry : result_.entries) {
+      if (entry.state != State::inexact) continue;
+      CheckedGrowth checked = grow_checked(*entry.engine, seedling_, *judge_,
+                                           observed(run_of(entry), "checking " + entry.name()));
+      entry.disagreement = checked.disagreement;
+      if (!checked.verified) continue;
+      if (!accept_tree(*checked.verified, entry)) continue;
+      entry.state = State::timed;
+      entry.work = checked.result.work;
+      result_.nodes = checked.result.skeleton.node_count();
+      result_.iterations = checked.result.passes.size();
+      verified_.emplace(&entry, *checked.verified);
+    }
+    progress("counting pairs");
+    result_.floor = count_pairs(seedling_, {.threads = request_.threads});
+  }
+
+  /// Where the judge does not know the tree, the first one that agreed in every answer is it.
+  bool accept_tree(const VerifiedRun& verified, RaceEntry& entry) {
+    entry.tree_hash = verified.hash();
+    if (tree_hash_.empty()) tree_hash_ = entry.tree_hash;
+    if (entry.tree_hash == tree_hash_) return true;
+    entry.disagreement = "every assignment agrees, but the tree is another";
+    return false;
+  }
+
+  /// By replaying one growth, so that only the engine allocates.
+  void measure_memory() {
+    const auto trusted =
+        std::find_if(result_.entries.begin(), result_.entries.end(),
+                     [](const RaceEntry& entry) { return entry.state == State::timed; });
+    if (!request_.measure_memory || trusted == result_.entries.end()) return;
+    progress("recording a trace");
+    const GrowthTrace trace = record_trace(*trusted->engine, seedling_, run_of(*trusted));
+    std::map<std::string_view, double> bytes;
+    for (RaceEntry& entry : result_.entries) {
+      if (entry.state != State::timed) continue;
+      if (!bytes.contains(entry.engine->name)) {
+        progress("memory of " + std::string(entry.engine->name));
+        bytes[entry.engine->name] =
+            replay(trace, *entry.engine, seedling_.attraction_points, request_.threads).bytes;
+      }
+      if (points_ > 0.0) entry.bytes_per_point = bytes[entry.engine->name] / points_;
+    }
+  }
+
+  void time() {
+    std::vector<RaceEntry*> timed;
+    for (RaceEntry& entry : result_.entries)
+      if (entry.state == State::timed) timed.push_back(&entry);
+    int rounds = request_.rounds;
+    for (int round = 0; rounds == 0 || round < rounds; ++round) {
+      const double seconds = seconds_of([&] { time_round(round, rounds, timed); });
+      if (rounds == 0)
+        rounds = std::clamp(static_cast<int>(request_.timing_s / std::max(seconds, 1e-9)), 3, 25);
+    }
+  }
+
+  void time_round(int round, int rounds, const std::vector<RaceEntry*>& timed) {
+    CounterStream stream(request_.order_seed, static_cast<std::uint64_t>(round));
+    for (const std::size_t i : random_order(timed.size(), stream)) {
+      progress(fmt::format("round {}{}: timing {}", round + 1,
+                           rounds > 0 ? fmt::format(" of {}", rounds) : "", timed[i]->name()));
+      timed[i]->rounds.push_back(verified_.at(timed[i]).grow().seconds);
+    }
+  }
+
+  const RaceRequest& request_;
+  const Seedling& seedling_;
+  double points_;
+  RaceResult result_;
+  std::unique_ptr<GrowthOracle> oracle_;
+  std::unique_ptr<GrowthJudge> judge_;
+  std::string tree_hash_;
+  std::map<const RaceEntry*, VerifiedRun> verified_;
+};
+
+}  // namespace
+
+RaceResult race(const RaceRequest& request) {
+  return Race(request).run();
+}
+
+std::vector<double> samples(const RaceEntry& entry, double PhaseSeconds::*phase) {
+  std::vector<double> seconds;
+  for (const PhaseSeconds& round : entry.rounds) seconds.push_back(round.*phase);
+  return seconds;
+}
+
+double reset_seconds(const PhaseSeconds& seconds) {
+  return seconds.total - seconds.association - seconds.kill - seconds.growth;
+}
+
+Estimate time_ratio(const RaceEntry& slower, const RaceEntry& faster) {
+  return paired_ratio_estimate(samples(slower, &PhaseSeconds::total),
+                               samples(faster, &PhaseSeconds::total));
+}
+
+}  // namespace phytobench

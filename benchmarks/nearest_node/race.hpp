@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Engines side by side on one workload: first proven exact, then timed in turns.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "benchmarks/nearest_node/checked_growth.hpp"
+#include "benchmarks/nearest_node/pair_floor.hpp"
+#include "benchmarks/nearest_node/workload.hpp"
+#include "core/statistics/bootstrap.hpp"
+
+namespace phytobench {
+
+/// One engine with one loop option.
+struct RaceEntry {
+  enum class State {
+    timed,      ///< exact, and timed
+    inexact,    ///< differs from the judge: no time
+    skipped,    ///< would exceed the budget
+    not_built,  ///< its library was not found
+  };
+
+  const EngineDescriptor* engine = nullptr;
+  std::string option;
+  State state = State::not_built;
+  double predicted_s = 0.0;  ///< of one growth; 0 if there was no need to predict
+  std::string disagreement;  ///< of an inexact one: iteration, point, both nodes, both distances
+  std::string tree_hash;
+  WorkCounters work;
+  double bytes_per_point = -1.0;  ///< held by the engine at most; negative if unknown
+  std::vector<PhaseSeconds> rounds;
+
+  std::string name() const { return std::string(engine->name) + " " + option; }
+};
+
+struct RaceRequest {
+  const Workload* workload = nullptr;
+  std::vector<const EngineDescriptor*> engines;
+  std::vector<std::string> options;
+  int threads = 1;
+  double budget_s = 120.0;       ///< of one growth; what is predicted to take longer is skipped
+  double timing_s = 60.0;        ///< of all timed rounds together, roughly
+  int rounds = 0;                ///< 0: as many as timing_s allows, at least 3, at most 25
+  std::uint64_t order_seed = 0;  ///< of the order within each round, and of the judge's sample
+  bool measure_memory = true;
+  std::function<void(const std::string&)> show_progress = {};  ///< may be empty
+  std::function<bool()> is_interrupted = {};                   ///< may be empty
+};
+
+struct RaceResult {
+  std::vector<RaceEntry> entries;  ///< in the order of engines, then options
+  std::string judge;
+  std::size_t nodes = 0;       ///< of the tree, stem included
+  std::size_t iterations = 0;  ///< executed
+  PairFloor floor;
+};
+
+/// Throws Interrupted when asked to stop.
+RaceResult race(const RaceRequest& request);
+
+/// Seconds of one phase in all rounds.
+std::vector<double> samples(const RaceEntry& entry, double PhaseSeconds::*phase);
+
+/// Everything but association, removal and growth: the building of what is built once.
+double reset_seconds(const PhaseSeconds& seconds);
+
+/// How many times as long the slower entry takes, pairing what was timed in the same round.
+Estimate time_ratio(const RaceEntry& slower, const RaceEntry& faster);
+
+}  // namespace phytobench

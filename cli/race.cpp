@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+#include "benchmarks/nearest_node/race.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/terminal.hpp"
+#include "core/contract/errors.hpp"
+#include "core/contract/suggestion.hpp"
+#include "core/nearest_node/engine_registry.hpp"
+#include "core/record/environment.hpp"
+#include "core/statistics/order_statistics.hpp"
+
+namespace phytobench::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+using State = RaceEntry::State;
+
+std::vector<const EngineDescriptor*> chosen_engines(const std::vector<std::string>& names) {
+  std::vector<const EngineDescriptor*> engines;
+  for (const std::string& name : names) {
+    if (name == "all") {
+      for (const EngineDescriptor* engine : all_engines()) engines.push_back(engine);
+      continue;
+    }
+    const auto found = std::find_if(all_engines().begin(), all_engines().end(),
+                                    [&](const EngineDescriptor* e) { return e->name == name; });
+    if (found == all_engines().end())
+      throw InputError("unknown engine '" + name + "'; known: all, " + known_engine_names());
+    engines.push_back(*found);
+  }
+  return engines;
+}
+
+std::vector<std::string> chosen_options(const std::vector<std::string>& names) {
+  std::vector<std::string> options;
+  for (const std::string& name : names) {
+    loop_options_named(name);  // refuses what is unknown
+    std::string lower;
+    for (const char c : name)
+      if (c != '&') lower += static_cast<char>(c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c);
+    options.push_back(lower);
+  }
+  return options;
+}
+
+Workload chosen_workload(const RaceOptions& options) {
+  if (options.cloud.empty())
+    return scaled_test_tree({.points = options.points,
+                             .density = options.density,
+                             .iterations = options.iterations,
+                             .seed = options.seed});
+  Workload workload =
+      workload_from_points(read_points(options.cloud), options.cloud, options.iterations);
+  workload.seed = options.seed;
+  return workload;
+}
+
+const char* name_of(State state) {
+  switch (state) {
+    case State::timed:
+      return "timed";
+    case State::inexact:
+      return "inexact";
+    case State::skipped:
+      return "skipped";
+    case State::not_built:
+      return "not built";
+  }
+  return "";
+}
+
+std::uint64_t evaluations(const RaceEntry& entry) {
+  return entry.work.search_evaluations + entry.work.kill_evaluations;
+}
+
+double median_of(const RaceEntry& entry, double PhaseSeconds::*phase) {
+  return median(samples(entry, phase));
+}
+
+double median_reset(const RaceEntry& entry) {
+  std::vector<double> seconds;
+  for (const PhaseSeconds& round : entry.rounds) seconds.push_back(reset_seconds(round));
+  return median(seconds);
+}
+
+/// Timed entries, fastest first.
+std::vector<const RaceEntry*> ranking(const RaceResult& result) {
+  std::vector<const RaceEntry*> timed;
+  for (const RaceEntry& entry : result.entries)
+    if (entry.state == State::timed) timed.push_back(&entry);
+  std::stable_sort(timed.begin(), timed.end(), [](const RaceEntry* a, const RaceEntry* b) {
+    return median_of(*a, &PhaseSeconds::total) < median_of(*b, &PhaseSeconds::total);
+  });
+  return timed;
+}
+
+ordered_json workload_json(const Workload& workload, const RaceResult& result, int threads) {
+  const GrowthParameters& growth = workload.seedling.growth;
+  return {
+      {"name", workload.name},
+      {"points", workload.seedling.attraction_points.size()},
+      {"iterations", growth.iterations},
+      {"executed_iterations", result.iterations},
+      {"nodes", result.nodes},
+      {"seed", workload.seed},
+      {"density", workload.density},
+      {"influence_distance", growth.influence_distance},
+      {"threads", threads},
+      {"judge", result.judge},
+      {"floor",
+       {{"association_pairs", result.floor.association}, {"removal_pairs", result.floor.removal}}}};
+}
+
+ordered_json entry_json(const RaceEntry& entry, const RaceResult& result, int threads) {
+  ordered_json json{{"name", entry.engine->name},
+                    {"option", entry.option},
+                    {"options", entry.option},
+                    {"threads", threads},
+                    {"state", name_of(entry.state)},
+                    {"built", entry.engine->built()},
+                    {"exact", nullptr},
+                    {"tree_hash", nullptr},
+                    {"median_s", nullptr},
+                    {"ci95_s", nullptr},
+                    {"distance_evaluations", nullptr},
+                    {"bytes_per_point", nullptr},
+                    {"phases", nullptr}};
+  json.erase("option");
+  if (entry.predicted_s > 0.0) json["predicted_s"] = entry.predicted_s;
+  if (entry.state == State::not_built) json["missing_package"] = entry.engine->missing_package;
+  if (entry.state == State::inexact) {
+    json["exact"] = false;
+    json["disagreement"] = entry.disagreement;
+  }
+  if (entry.state != State::timed) return json;
+  const Estimate total = median_estimate(samples(entry, &PhaseSeconds::total));
+  json["exact"] = true;
+  json["tree_hash"] = entry.tree_hash;
+  json["median_s"] = total.value;
+  json["ci95_s"] = {total.low, total.high};
+  json["rounds"] = entry.rounds.size();
+  json["distance_evaluations"] = evaluations(entry);
+  const std::uint64_t floor = result.floor.association + result.floor.removal;
+  if (floor > 0)
+    json["evaluations_over_floor"] =
+        static_cast<double>(evaluations(entry)) / static_cast<double>(floor);
+  if (entry.bytes_per_point >= 0.0) json["bytes_per_point"] = entry.bytes_per_point;
+  json["work"] = {{"search_evaluations", entry.work.search_evaluations},
+                  {"kill_evaluations", entry.work.kill_evaluations},
+                  {"cells_visited", entry.work.cells_visited},
+                  {"index_updates", entry.work.index_updates},
+                  {"queries", entry.work.queries}};
+  json["phases"] = {{"build_s", median_reset(entry)},
+                    {"search_s", median_of(entry, &PhaseSeconds::association)},
+                    {"kill_s", median_of(entry, &PhaseSeconds::kill)},
+                    {"growth_s", median_of(entry, &PhaseSeconds::growth)}};
+  return json;
+}
+
+ordered_json document(const Workload& workload, const RaceResult& result,
+                      const RaceOptions& options) {
+  ordered_json json;
+  json["schema"] = "phytobench/race-1";
+  json["lane"] = "exact";
+  json["workload"] = workload_json(workload, result, options.threads);
+  json["engines"] = ordered_json::array();
+  for (const RaceEntry& entry : result.entries)
+    json["engines"].push_back(entry_json(entry, result, options.threads));
+  json["ratios"] = ordered_json::array();
+  const auto ranked = ranking(result);
+  for (std::size_t i = 1; i < ranked.size(); ++i) {
+    const Estimate ratio = time_ratio(*ranked[i], *ranked[0]);
+    json["ratios"].push_back({{"slower", ranked[i]->name()},
+                              {"faster", ranked[0]->name()},
+                              {"ratio", ratio.value},
+                              {"ci95", {ratio.low, ratio.high}}});
+  }
+  json["environment"] =
+      ordered_json::parse(environment_json(options.command_line, workload.seed, options.threads));
+  return json;
+}
+
+std::string with_unit(double seconds) {
+  if (seconds < 1e-3) return fmt::format("{:.1f} us", 1e6 * seconds);
+  if (seconds < 1.0) return fmt::format("{:.2f} ms", 1e3 * seconds);
+  return fmt::format("{:.2f} s", seconds);
+}
+
+std::string timed_line(const RaceEntry& entry, const RaceEntry& fastest, const RaceResult& result) {
+  const Estimate total = median_estimate(samples(entry, &PhaseSeconds::total));
+  const Estimate ratio = time_ratio(entry, fastest);
+  const double floor = static_cast<double>(result.floor.association + result.floor.removal);
+  return fmt::format(
+      "{:<22} {:>10}  {:>10} - {:>10}  {:>8.1f}x  {:>10} {:>10} {:>10} {:>10}  {:>9.3g} {:>7}\n",
+      entry.name(), with_unit(total.value), with_unit(total.low), with_unit(total.high),
+      ratio.value, with_unit(median_reset(entry)),
+      with_unit(median_of(entry, &PhaseSeconds::association)),
+      with_unit(median_of(entry, &PhaseSeconds::kill)),
+      with_unit(median_of(entry, &PhaseSeconds::growth)),
+      floor > 0.0 ? static_cast<double>(evaluations(entry)) / floor : 0.0,
+      entry.bytes_per_point < 0.0 ? "?" : fmt::format("{:.1f}", entry.bytes_per_point));
+}
+
+std::string other_line(const RaceEntry& entry) {
+  switch (entry.state) {
+    case State::not_built:
+      return fmt::format("{:<22} not built: {} was not found\n", entry.name(),
+                         entry.engine->missing_package);
+    case State::skipped:
+      return fmt::format("{:<22} skipped: predicted {} for one growth, more than --budget\n",
+                         entry.name(), with_unit(entry.predicted_s));
+    case State::inexact:
+      return fmt::format("{:<22} INEXACT, no time: {}\n", entry.name(), entry.disagreement);
+    case State::timed:
+      break;
+  }
+  return {};
+}
+
+std::string table(const Workload& workload, const RaceResult& result, int threads) {
+  std::string text = fmt::format(
+      "{}: {} points, {} iterations, {} nodes, {} thread{}\njudged by the {}; pairs that must be "
+      "looked at: {} to associate, {} to remove\n\n",
+      workload.name, workload.seedling.attraction_points.size(), result.iterations, result.nodes,
+      threads, threads == 1 ? "" : "s", result.judge, result.floor.association,
+      result.floor.removal);
+  const auto ranked = ranking(result);
+  if (!ranked.empty())
+    text += fmt::format(
+        "{:<22} {:>10}  {:>10} - {:>10}  {:>9}  {:>10} {:>10} {:>10} {:>10}  {:>9} {:>7}\n",
+        "engine, option", "median", "95 % from", "to", "fastest", "build", "search", "kill",
+        "growth", "pairs/min", "B/point");
+  for (const RaceEntry* entry : ranked) text += timed_line(*entry, *ranked.front(), result);
+  for (const RaceEntry& entry : result.entries) text += other_line(entry);
+  return text;
+}
+
+}  // namespace
+
+int race(const RaceOptions& options) {
+  if (options.what != "nearest-node")
+    throw InputError("cannot race '" + options.what + "'" +
+                     did_you_mean(options.what, std::vector<std::string>{"nearest-node"}) +
+                     "; use nearest-node");
+  const auto engines = chosen_engines(options.engines);
+  const auto loop_options = chosen_options(options.options);
+  const Workload workload = chosen_workload(options);
+  catch_interrupts();
+  const RaceResult result = phytobench::race({.workload = &workload,
+                                              .engines = engines,
+                                              .options = loop_options,
+                                              .threads = options.threads,
+                                              .budget_s = options.budget,
+                                              .rounds = options.rounds,
+                                              .order_seed = options.seed,
+                                              .show_progress = show_progress,
+                                              .is_interrupted = is_interrupted});
+  print(options.json ? document(workload, result, options).dump(2) + "\n"
+                     : table(workload, result, options.threads));
+  const bool wrong = std::any_of(result.entries.begin(), result.entries.end(),
+                                 [](const RaceEntry& e) { return e.state == State::inexact; });
+  return wrong ? 1 : 0;
+}
+
+}  // namespace phytobench::cli

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "core/contract/csv_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/contract/errors.hpp"
+#include "core/contract/text_file.hpp"
+
+namespace phytobench {
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+void split(std::string_view line, std::vector<std::string_view>& fields) {
+  fields.clear();
+  for (;;) {
+    const std::size_t comma = line.find(',');
+    fields.push_back(trimmed(line.substr(0, comma)));
+    if (comma == std::string_view::npos) return;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+/// A field as the user sees it, however long or odd.
+std::string shown(std::string_view field) {
+  constexpr std::size_t most = 40;
+  return field.size() <= most ? std::string(field) : std::string(field.substr(0, most)) + "...";
+}
+
+class ColumnReader {
+ public:
+  ColumnReader(std::string_view name, const std::vector<std::string>& columns)
+      : name_(name), columns_(columns), numbers_(columns.size()) {}
+
+  void read_line(std::string_view line) {
+    ++line_number_;
+    if (line_number_ == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
+    line = trimmed(line);
+    if (line.empty() || line.front() == '#') return;
+    split(line, fields_);
+    if (field_count_ == 0)
+      read_header();
+    else
+      read_numbers();
+  }
+
+  std::vector<std::vector<double>> finish() {
+    if (field_count_ == 0) refuse(fmt::format("is empty; give a line with {}", wanted()));
+    if (numbers_.front().empty()) refuse("has a header but no line of numbers; give at least one");
+    return std::move(numbers_);
+  }
+
+ private:
+  std::string wanted() const { return fmt::format("{}", fmt::join(columns_, ",")); }
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw InputError(fmt::format("{}: {}", name_, what));
+  }
+  [[noreturn]] void refuse_line(const std::string& what) const {
+    throw InputError(fmt::format("{}:{}: {}", name_, line_number_, what));
+  }
+
+  void read_header() {
+    field_count_ = fields_.size();
+    for (const std::string& column : columns_) {
+      const auto found = std::find(fields_.begin(), fields_.end(), column);
+      if (found == fields_.end())
+        refuse_line(fmt::format("no column '{}' in the header; the first line must name {}", column,
+                                wanted()));
+      if (std::find(found + 1, fields_.end(), column) != fields_.end())
+        refuse_line(fmt::format("column '{}' is named twice; keep one", column));
+      places_.push_back(static_cast<std::size_t>(found - fields_.begin()));
+    }
+  }
+
+  void read_numbers() {
+    if (fields_.size() != field_count_)
+      refuse_line(fmt::format("{} fields where the header has {}; complete or remove the line",
+                              fields_.size(), field_count_));
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      numbers_[i].push_back(number(fields_[places_[i]], columns_[i]));
+  }
+
+  double number(std::string_view field, const std::string& column) const {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+    if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value))
+      refuse_line(fmt::format("{} = '{}' is no finite number; write it like 1.5 or 2e-3", column,
+                              shown(field)));
+    return value;
+  }
+
+  std::string_view name_;
+  const std::vector<std::string>& columns_;
+  std::vector<std::vector<double>> numbers_;
+  std::vector<std::size_t> places_;
+  std::vector<std::string_view> fields_;
+  std::size_t field_count_ = 0;
+  std::size_t line_number_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::vector<double>> parse_number_columns(std::string_view text, std::string_view name,
+                                                      const std::vector<std::string>& columns) {
+  ColumnReader reader(name, columns);
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    reader.read_line(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return reader.finish();
+}
+
+std::vector<std::vector<double>> read_number_columns(const std::filesystem::path& file,
+                                                     const std::vector<std::string>& columns) {
+  constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 30;
+  return parse_number_columns(read_text_file(file, most_bytes), file.string(), columns);
+}
+
+}  // namespace phytobench

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace phytobench {
+
+/// Numbers from a comma-separated file whose first line names the columns. Other columns may be
+/// there and are ignored; empty lines and lines that start with # are skipped. Returns one vector
+/// per wanted column, in the order of `columns`, all of the same length. Throws InputError with
+/// file:line for a missing column, a line with more or fewer fields than the header, a field that
+/// is no finite number, and a file without any line of numbers.
+std::vector<std::vector<double>> read_number_columns(const std::filesystem::path& file,
+                                                     const std::vector<std::string>& columns);
+
+/// The same from text; `name` stands for the file in messages.
+std::vector<std::vector<double>> parse_number_columns(std::string_view text, std::string_view name,
+                                                      const std::vector<std::string>& columns);
+
+}  // namespace phytobench
