@@ -164,7 +164,7 @@ std::vector<std::string> machine_problems(const File& file) {
 /// Names registered in a .def list: "voxel_grid", "brzoska2019/table_1".
 std::set<std::string> registered(const std::string& text) {
   std::set<std::string> names;
-  const std::regex line(R"((^|\n)[A-Z]+\(([a-z0-9_]+)(, ([a-z0-9_]+))?, [A-Za-z0-9:]+\))");
+  const std::regex line(R"((^|\n)[A-Z]+\(([a-z0-9_]+)(, ([a-z0-9_]+))?, [A-Za-z0-9_:]+\))");
   for (auto match = std::sregex_iterator(text.begin(), text.end(), line);
        match != std::sregex_iterator(); ++match)
     names.insert((*match)[4].matched ? (*match)[2].str() + "/" + (*match)[4].str()

@@ -47,10 +47,10 @@ const EngineDescriptor& engine_named(std::string_view name) {
   for (const EngineDescriptor* engine : table) {
     if (engine->name != name) continue;
     if (engine->built()) return *engine;
-    throw InputError("engine '" + std::string(name) +
-                     "' is not built: " + std::string(engine->missing_package) +
-                     " was not found, or left out, when phytobench was configured; install it and build "
-                     "again");
+    throw InputError(
+        "engine '" + std::string(name) + "' is not built: " + std::string(engine->missing_package) +
+        " was not found, or left out, when phytobench was configured; install it and build "
+        "again");
   }
   throw InputError("unknown engine '" + std::string(name) + "'; known: " + known_engine_names());
 }

@@ -2,19 +2,41 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 
 namespace phytobench {
+
+namespace detail {
+
+/// A call without std::function, which may allocate.
+using RangeCall = void (*)(const void* body, std::size_t begin, std::size_t end);
+void run_in_blocks(std::size_t count, std::size_t block_size, int threads, const void* body,
+                   RangeCall call);
+
+template <class Body>
+void call_body(const void* body, std::size_t begin, std::size_t end) {
+  (*static_cast<const Body*>(body))(begin, end);
+}
+
+}  // namespace detail
 
 /// Runs body(begin, end) over [0, count) in blocks of fixed size on up to `threads` threads. The
 /// blocks do not depend on the thread count; whoever writes per element and adds only integers gets
 /// the same bits for any number of threads. With one thread it is a plain call over the whole
-/// range.
-void for_blocks(std::size_t count, int threads,
-                const std::function<void(std::size_t begin, std::size_t end)>& body);
+/// range. Allocates nothing then.
+template <class Body>
+void for_blocks(std::size_t count, int threads, const Body& body) {
+  constexpr std::size_t block_size = 512;
+  detail::run_in_blocks(count, block_size, threads, &body, detail::call_body<Body>);
+}
 
 /// Runs body(0) ... body(count - 1), each once, on up to `threads` threads; in ascending order with
 /// one. For few pieces of unequal size.
-void for_tasks(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
+template <class Body>
+void for_tasks(std::size_t count, int threads, const Body& body) {
+  const auto pieces = [&body](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) body(i);
+  };
+  detail::run_in_blocks(count, 1, threads, &pieces, detail::call_body<decltype(pieces)>);
+}
 
 }  // namespace phytobench

@@ -53,6 +53,8 @@ class CgalKdTree : public NodeList {
     positions_.clear();
   }
 
+  /// Nodes at one and the same place are split off one by one: time grows with the square of their
+  /// number, and tens of thousands overflow the stack inside CGAL.
   std::uint64_t insert(std::span<const SearchableNode> nodes) {
     if (nodes.empty()) return 0;
     NodeList::insert(nodes);

@@ -9,52 +9,23 @@
 
 #include <flann/flann.hpp>
 
+#include "core/nearest_node/nearest_perceiving.hpp"
 #include "core/nearest_node/node_list.hpp"
-#include "core/nearest_node/point_driven_engine.hpp"
 
 namespace phytobench::engines {
 
 namespace {
 
-/// What FLANN offers candidates to. It decides by our squared distance and lets FLANN prune with a
-/// little more than that.
-class NearestPerceiving final : public flann::ResultSet<double> {
+/// The shape in which FLANN wants it.
+class Candidates final : public flann::ResultSet<double> {
  public:
-  NearestPerceiving(std::span<const SearchableNode> nodes, const Vector3& point,
-                    const Perception& perception, WorkCounters& work)
-      : nodes_(nodes),
-        point_(point),
-        perception_(perception),
-        work_(work),
-        best_{no_node, perception.beyond_reach()} {}
-
-  void addPoint(double, std::size_t row) override {
-    const SearchableNode& node = nodes_[row];
-    const auto index = static_cast<NodeIndex>(row);
-    const double squared = squared_distance(point_, node.position);
-    ++work_.search_evaluations;
-    if (!best_.beaten_by(squared, index)) return;
-    if constexpr (counts_inner_loop) ++work_.angle_tests;
-    if (!perception_.within_angle(node.position, node.direction, point_, squared)) return;
-    best_ = {index, squared};
-  }
-
-  /// One part in 10^12 more, because FLANN adds its lower bounds up in another order than
-  /// squared_distance(). Never 0, because FLANN offers only what is strictly nearer: of two nodes
-  /// at the very point the lower index would be lost.
-  double worstDist() const override {
-    return best_.squared_distance * (1.0 + 1e-12) + std::numeric_limits<double>::min();
-  }
-
-  bool full() const override { return best_.node != no_node; }
-  const NearestHit& best() const { return best_; }
+  explicit Candidates(NearestPerceiving& nearest) : nearest_(nearest) {}
+  void addPoint(double, std::size_t row) override { nearest_.offer(row); }
+  double worstDist() const override { return nearest_.bound(); }
+  bool full() const override { return nearest_.found(); }
 
  private:
-  std::span<const SearchableNode> nodes_;
-  const Vector3& point_;
-  const Perception& perception_;
-  WorkCounters& work_;
-  NearestHit best_;
+  NearestPerceiving& nearest_;
 };
 
 class FlannKdTree : public NodeList {
@@ -82,8 +53,9 @@ class FlannKdTree : public NodeList {
   NearestHit nearest(PointIndex, const Vector3& point, const Perception& perception,
                      WorkCounters& work) const {
     NearestPerceiving found(nodes_, point, perception, work);
+    Candidates candidates(found);
     const double query[] = {point.x, point.y, point.z};
-    if (tree_) tree_->findNeighbors(found, query, flann::SearchParams());
+    if (tree_) tree_->findNeighbors(candidates, query, flann::SearchParams());
     return found.best();
   }
 

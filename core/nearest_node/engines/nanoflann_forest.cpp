@@ -15,8 +15,8 @@
 #include <nanoflann.hpp>
 #pragma GCC diagnostic pop
 
+#include "core/nearest_node/nearest_perceiving.hpp"
 #include "core/nearest_node/node_list.hpp"
-#include "core/nearest_node/point_driven_engine.hpp"
 
 namespace phytobench::engines {
 
@@ -34,51 +34,24 @@ struct Coordinates {
   }
 };
 
-/// What nanoflann offers candidates to. It decides by our squared distance and lets nanoflann prune
-/// with a little more than that.
-class NearestPerceiving {
+/// The shape in which nanoflann wants it.
+class Candidates {
  public:
   using DistanceType = double;
   using IndexType = std::size_t;
 
-  NearestPerceiving(std::span<const SearchableNode> nodes, const Vector3& point,
-                    const Perception& perception, WorkCounters& work)
-      : nodes_(nodes),
-        point_(point),
-        perception_(perception),
-        work_(work),
-        best_{no_node, perception.beyond_reach()} {}
-
+  explicit Candidates(NearestPerceiving& nearest) : nearest_(nearest) {}
   /// Returns whether the search goes on: always.
   bool addPoint(double, std::size_t row) {
-    const SearchableNode& node = nodes_[row];
-    const auto index = static_cast<NodeIndex>(row);
-    const double squared = squared_distance(point_, node.position);
-    ++work_.search_evaluations;
-    if (!best_.beaten_by(squared, index)) return true;
-    if constexpr (counts_inner_loop) ++work_.angle_tests;
-    if (!perception_.within_angle(node.position, node.direction, point_, squared)) return true;
-    best_ = {index, squared};
+    nearest_.offer(row);
     return true;
   }
-
-  /// One part in 10^12 more, because nanoflann adds its lower bounds up in another order than
-  /// squared_distance(). Never 0, because nanoflann offers only what is strictly nearer: of two
-  /// nodes at the very point the lower index would be lost.
-  double worstDist() const {
-    return best_.squared_distance * (1.0 + 1e-12) + std::numeric_limits<double>::min();
-  }
-
-  bool full() const { return best_.node != no_node; }
+  double worstDist() const { return nearest_.bound(); }
+  bool full() const { return nearest_.found(); }
   std::size_t size() const { return full() ? 1 : 0; }
-  const NearestHit& best() const { return best_; }
 
  private:
-  std::span<const SearchableNode> nodes_;
-  const Vector3& point_;
-  const Perception& perception_;
-  WorkCounters& work_;
-  NearestHit best_;
+  NearestPerceiving& nearest_;
 };
 
 class NanoflannForest : public NodeList {
@@ -109,8 +82,9 @@ class NanoflannForest : public NodeList {
   NearestHit nearest(PointIndex, const Vector3& point, const Perception& perception,
                      WorkCounters& work) const {
     NearestPerceiving found(nodes_, point, perception, work);
+    Candidates candidates(found);
     const double query[] = {point.x, point.y, point.z};
-    if (forest_) forest_->findNeighbors(found, query, nanoflann::SearchParams());
+    if (forest_) forest_->findNeighbors(candidates, query, nanoflann::SearchParams());
     return found.best();
   }
 
