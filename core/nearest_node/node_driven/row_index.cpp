@@ -14,6 +14,11 @@ namespace phytobench {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
+constexpr PointIndex no_point = -1;
+
+std::int32_t whole_blocks(std::int32_t slots) {
+  return (slots + PointBlock::width - 1) / PointBlock::width * PointBlock::width;
+}
 
 // Measured on clouds of 1e4 to 1e7 points: thinner rows look at fewer points, but at more rows.
 constexpr double row_edge_per_reach = 0.6;
@@ -83,15 +88,13 @@ bool RowIndex::reset(std::span<const Vector3> points, const RowShape& shape, dou
   inverse_row_ = 1.0 / shape.row_edge;
   if (!count_rows(points, threads)) return false;
   const auto rows = static_cast<std::size_t>(shape.rows());
-  blocks_.resize_for_overwrite(points.size() / PointBlock::width + 1);
+  blocks_.resize_for_overwrite(original_.size() / PointBlock::width);
   entries_.resize_for_overwrite(rows * static_cast<std::size_t>(shape.row_entries()) + 1);
   for_blocks(rows, threads, [&](std::size_t begin, std::size_t end) {
     std::vector<UnsortedPoint> unsorted;
     for (std::size_t row = begin; row < end; ++row)
       sort_row(points, unset, static_cast<std::int32_t>(row), unsorted);
   });
-  for (std::size_t slot = points.size(); slot < blocks_.size() * PointBlock::width; ++slot)
-    put(static_cast<std::int32_t>(slot), {nowhere, 0.0, 0.0}, -1.0, -1);
   return true;
 }
 
@@ -103,35 +106,45 @@ bool RowIndex::count_rows(std::span<const Vector3> points, int threads) {
   for_blocks(points.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) row_of[i] = cell_of(points[i]).row;
   });
-  row_begins_.resize_for_overwrite(rows + 1);
-  std::fill(row_begins_.begin(), row_begins_.end(), 0);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    ++row_begins_[static_cast<std::size_t>(row_of[i])];
+  LargeArray<std::int32_t> next;  // first the number of a row's points, then where the next goes
+  next.resize_for_overwrite(rows);
+  std::fill(next.begin(), next.end(), 0);
+  for (const std::int32_t row : std::span(row_of.data(), row_of.size()))
+    ++next[static_cast<std::size_t>(row)];
+  if (!place_rows(next)) return false;
+  original_.resize_for_overwrite(static_cast<std::size_t>(row_begins_[rows]));
+  std::fill(original_.begin(), original_.end(), no_point);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::int32_t& slot = next[static_cast<std::size_t>(row_of[i])];
+    original_[static_cast<std::size_t>(slot++)] = static_cast<PointIndex>(i);
+  }
+  return true;
+}
+
+/// Turns numbers of points into places. Each layer of rows begins with a block of its own: layers
+/// are searched by different threads, and a block is looked at as a whole.
+bool RowIndex::place_rows(LargeArray<std::int32_t>& counts) {
+  row_begins_.resize_for_overwrite(counts.size() + 1);
   std::int32_t begin = 0;
   bool fits = true;
-  for (std::size_t row = 0; row <= rows; ++row) {
-    const std::int32_t count = row_begins_[row];
+  for (std::size_t row = 0; row < counts.size(); ++row) {
+    if (row % static_cast<std::size_t>(shape_.rows_y) == 0) begin = whole_blocks(begin);
+    const std::int32_t count = counts[row];
     fits &= static_cast<std::size_t>(count) <= most_slots_per_row;
-    row_begins_[row] = begin;
+    row_begins_[row] = counts[row] = begin;
     begin += count;
   }
-  if (!fits) return false;
-  original_.resize_for_overwrite((points.size() / PointBlock::width + 1) * PointBlock::width);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    std::int32_t& next = row_begins_[static_cast<std::size_t>(row_of[i])];
-    original_[static_cast<std::size_t>(next++)] = static_cast<PointIndex>(i);
-  }
-  // Each count has run on to the next row's begin.
-  for (std::size_t row = rows; row > 0; --row) row_begins_[row] = row_begins_[row - 1];
-  row_begins_[0] = 0;
-  return true;
+  row_begins_[counts.size()] = whole_blocks(begin);
+  return fits;
 }
 
 /// Sorts the points of one row into cells: counts, sums, places.
 void RowIndex::sort_row(std::span<const Vector3> points, double unset, std::int32_t row,
                         std::vector<UnsortedPoint>& unsorted) {
   const std::int32_t begin = row_begins_[static_cast<std::size_t>(row)];
-  const std::int32_t end = row_begins_[static_cast<std::size_t>(row) + 1];
+  std::int32_t end = row_begins_[static_cast<std::size_t>(row) + 1];
+  for (; end > begin && original(end - 1) == no_point; --end)  // up to the next layer
+    put(end - 1, {nowhere, 0.0, 0.0}, empty_mark, no_point);
   const std::int32_t first_cell = row / shape_.rows_per_slab() * shape_.cells();
   const auto count = static_cast<std::size_t>(shape_.row_entries());
   std::uint16_t* const entries = entries_.data() + static_cast<std::size_t>(row) * count;
@@ -179,10 +192,10 @@ std::int32_t RowIndex::chunk_of(std::int32_t slot) const {
   return cell.row * shape_.row_entries() + cell.x / RowShape::chunk_cells * RowShape::chunk_entries;
 }
 
-void RowIndex::empty(std::int32_t slot) {
+void RowIndex::empty(std::int32_t slot, double mark) {
   PointBlock& block = block_of(slot);
   block.x[slot % PointBlock::width] = nowhere;
-  block.best[slot % PointBlock::width] = -1.0;
+  block.best[slot % PointBlock::width] = mark;
 }
 
 void RowIndex::compact(std::int32_t chunk) {
@@ -204,7 +217,7 @@ void RowIndex::compact(std::int32_t chunk) {
     }
   }
   entry[RowShape::chunk_cells] = static_cast<std::uint16_t>(to - row_begin);
-  for (; to < from; ++to) empty(to);
+  for (; to < from; ++to) empty(to, empty_mark);
 }
 
 }  // namespace phytobench

@@ -14,7 +14,8 @@
 namespace phytobench {
 
 /// Four points and the squared distance of each to its nearest node so far: two cache lines. A slot
-/// without a live point has x = infinity, so that it is out of everyone's reach, and best = -1.
+/// without a live point has x = infinity, so that it is out of everyone's reach, and a negative
+/// best.
 struct alignas(64) PointBlock {
   static constexpr std::int32_t width = 4;
   double x[width];
@@ -78,13 +79,20 @@ class RowIndex {
   /// The chunk a live point is in; its number is that of its first entry.
   std::int32_t chunk_of(std::int32_t slot) const;
 
-  /// Makes a slot empty. It stays in its run until the chunk is compacted.
-  void empty(std::int32_t slot);
+  /// Takes a point out. Its slot stays in its run until the chunk is compacted.
+  void remove(std::int32_t slot) { empty(slot, removed_mark); }
+
+  /// Whether a live point is in the slot, or one that was removed since the last compaction.
+  bool holds_point(std::int32_t slot) { return best(slot) >= 0.0 || best(slot) == removed_mark; }
 
   /// Moves the live points of a chunk together. Slots change.
   void compact(std::int32_t chunk);
 
  private:
+  static constexpr double empty_mark = -1.0;
+  static constexpr double removed_mark = -2.0;
+  void empty(std::int32_t slot, double mark);
+
   struct Cell {
     std::int32_t row, x;
   };
@@ -94,6 +102,7 @@ class RowIndex {
     return blocks_[static_cast<std::size_t>(slot / PointBlock::width)];
   }
   bool count_rows(std::span<const Vector3> points, int threads);
+  bool place_rows(LargeArray<std::int32_t>& counts);
   struct UnsortedPoint {
     Vector3 position;
     PointIndex index;

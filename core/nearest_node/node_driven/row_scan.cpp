@@ -282,7 +282,8 @@ class RowScan {
     result_.candidates.set_end(out);
   }
 
-  /// The points that the runs select. What else is in their first and last vectors comes along
+  /// The points that the runs select, as they were when the scan began: in which order nodes are
+  /// taken must not matter. What else is in their first and last vectors comes along
   /// unasked and does not count.
   void count_live(IntegerVector begin, IntegerVector end) {
     HWY_ALIGN std::int32_t begins[RowStencil::lanes];
@@ -291,7 +292,7 @@ class RowScan {
     hn::Store(end, Integers(), ends);
     for (std::size_t lane = 0; lane < integer_lanes; ++lane)
       for (std::int32_t slot = begins[lane]; slot < ends[lane]; ++slot)
-        result_.pairs += index_.best(slot) >= 0.0;
+        result_.pairs += index_.holds_point(slot);
   }
 
   /// Keeps the blocks in which some point comes nearer to its node than to any before, or is to be
@@ -363,7 +364,7 @@ class RowScan {
   void remove(std::int32_t slot) {
     result_.removed.push_back(index_.original(slot));
     result_.chunks.push_back(index_.chunk_of(slot));
-    index_.empty(slot);
+    index_.remove(slot);
   }
 
   RowIndex& index_;

@@ -140,7 +140,7 @@ void RowSearch::look_as_far_as(double distance) {
 void RowSearch::scan(std::span<const SearchableNode> nodes, double squared_kill) {
   for_each_layer([&](Layer& layer) {
     choose_nodes(layer, nodes);
-    if (layer.chosen.size() > few_nodes) sort_by_brick(layer, nodes);
+    if (nodes.size() > few_nodes) sort_by_brick(layer, nodes);
     const ScanJob job{.nodes = nodes,
                       .chosen = layer.chosen,
                       .first_z = layer.first_z,
