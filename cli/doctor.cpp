@@ -79,8 +79,9 @@ ordered_json examination() {
     json["libraries"][component.name] = component.version;
   for (const EngineDescriptor* engine : all_engines())
     json["engines"][std::string(engine->name)] =
-        engine->built() ? "built"
-                        : "not built: " + std::string(engine->missing_package) + " is missing";
+        engine->built()
+            ? "built" + (engine->library.empty() ? "" : ", " + std::string(engine->library))
+            : "not built: " + std::string(engine->missing_package) + " is missing";
   for (const Tool& tool : tools)
     json["tools"][tool.program] =
         is_on_path(tool.program) ? "found" : fmt::format("missing (needed for {})", tool.purpose);

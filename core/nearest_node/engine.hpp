@@ -82,6 +82,7 @@ struct EngineDescriptor {
   std::string_view name;          ///< lower case, unique, equal to the file name
   std::string_view summary;       ///< one sentence: how it finds the nearest node
   std::string_view source;        ///< where the method comes from
+  std::string_view library = {};  ///< what it asks, with version; empty if it asks nobody
   bool uses_point_filter = true;  ///< false: option N changes nothing for this engine
   std::string_view missing_package =
       {};  ///< empty if built, else the CMake target that was not found

@@ -13,6 +13,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
+#include <hwy/highway.h>
 #include <oneapi/tbb/version.h>
 #include <toml++/toml.h>
 #include <boost/version.hpp>
@@ -83,6 +84,7 @@ std::vector<Component> linked_components() {
       {"glibc", gnu_get_libc_version(), "C library (mathematical functions depend on it)"},
       {"libstdc++", fmt::format("{}", __GLIBCXX__), "C++ library"},
       {"oneTBB", TBB_runtime_version(), "threads"},
+      {"Highway", fmt::format("{}.{}.{}", HWY_MAJOR, HWY_MINOR, HWY_PATCH), "vectors"},
       {"Boost",
        fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000,
                    BOOST_VERSION % 100),

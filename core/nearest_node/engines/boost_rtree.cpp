@@ -94,6 +94,7 @@ constinit const EngineDescriptor boost_rtree{
         "Asks an R*-tree, into which nodes are inserted one by one, for a nearest node and then "
         "for its equals.",
     .source = "Boost.Geometry, index::rtree with rstar",
+    .library = "Boost " BOOST_LIB_VERSION,
     .create = make_point_driven_engine<BoostRTree, KillBy::grid>,
 };
 

@@ -15,6 +15,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Splitters.h>
 #include <CGAL/property_map.h>
+#include <CGAL/version.h>
 #include <boost/iterator/counting_iterator.hpp>
 
 #include "core/nearest_node/node_list.hpp"
@@ -103,6 +104,7 @@ constinit const EngineDescriptor cgal_kdtree{
         "Takes neighbours in order of distance from CGAL's kd-tree, rebuilt in every iteration "
         "that brings nodes.",
     .source = "CGAL, Kd_tree and Orthogonal_incremental_neighbor_search",
+    .library = "CGAL " CGAL_VERSION_STR,
     .create = make_point_driven_engine<CgalKdTree, KillBy::grid>,
 };
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include <flann/config.h>
 #include <flann/flann.hpp>
 
 #include "core/nearest_node/nearest_perceiving.hpp"
@@ -71,6 +72,7 @@ constinit const EngineDescriptor flann_kdtree{
     .name = "flann_kdtree",
     .summary = "Asks FLANN's exact kd-tree, rebuilt in every iteration that brings nodes.",
     .source = "FLANN (Muja and Lowe), KDTreeSingleIndex",
+    .library = "FLANN " FLANN_VERSION_,
     .create = make_point_driven_engine<FlannKdTree, KillBy::grid>,
 };
 

@@ -111,6 +111,7 @@ constinit const EngineDescriptor nanoflann_forest{
     .name = "nanoflann_forest",
     .summary = "Asks nanoflann's forest of kd-trees, to which each iteration adds its nodes.",
     .source = "nanoflann (Blanco-Claraco), KDTreeSingleIndexDynamicAdaptor",
+    .library = "nanoflann 1.4",
     .create = make_point_driven_engine<NanoflannForest, KillBy::grid>,
 };
 

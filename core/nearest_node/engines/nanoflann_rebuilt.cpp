@@ -90,6 +90,7 @@ constinit const EngineDescriptor nanoflann_rebuilt{
     .name = "nanoflann_rebuilt",
     .summary = "Asks nanoflann's static kd-tree, rebuilt in every iteration that brings nodes.",
     .source = "nanoflann (Blanco-Claraco), KDTreeSingleIndexAdaptor",
+    .library = "nanoflann 1.4",
     .create = make_point_driven_engine<NanoflannRebuilt, KillBy::grid>,
 };
 

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// phytobench race as a user meets it. Never asserts on a time.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <set>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace phytobench {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+struct Outcome {
+  int code;
+  std::string out;
+  std::string err;
+};
+
+std::string content_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+class RaceCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder = std::filesystem::temp_directory_path() /
+             (std::string("phytobench_race_") + test->name() + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  Outcome race(const std::string& arguments) const {
+    const std::string err = (folder / "err").string();
+    const std::string command =
+        std::string(PHYTOBENCH_PROGRAM) + " race " + arguments + " 2>" + err;
+    std::FILE* pipe = ::popen(command.c_str(), "r");
+    std::string out;
+    std::array<char, 4096> buffer{};
+    for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+      out.append(buffer.data(), n);
+    const int status = ::pclose(pipe);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, out, content_of(err)};
+  }
+
+  std::string file(const std::string& name, const std::string& content) const {
+    std::ofstream(folder / name) << content;
+    return (folder / name).string();
+  }
+
+  void expect_refused(const std::string& arguments, const std::string& part) const {
+    const Outcome outcome = race(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr(part)) << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+
+  std::filesystem::path folder;
+};
+
+TEST_F(RaceCommand, GivesOneVerifiedDocument) {
+  const Outcome outcome = race(
+      "nearest-node --points 1500 --engines node_driven,squared_scan,voxel_grid --options S,DN "
+      "--rounds 3 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json document = json::parse(outcome.out);
+  EXPECT_EQ(document["schema"], "phytobench/race-1");
+  EXPECT_EQ(document["workload"]["points"], 1500);
+  EXPECT_GT(document["workload"]["nodes"], 10);
+  EXPECT_GT(document["workload"]["floor"]["association_pairs"], 0);
+  ASSERT_EQ(document["engines"].size(), 6u);
+  std::set<std::string> trees;
+  for (const json& engine : document["engines"]) {
+    EXPECT_TRUE(engine["built"]);
+    EXPECT_EQ(engine["exact"], true);
+    EXPECT_EQ(engine["threads"], 1);
+    EXPECT_EQ(engine["rounds"], 3);
+    EXPECT_LE(engine["ci95_s"][0], engine["median_s"]);
+    EXPECT_LE(engine["median_s"], engine["ci95_s"][1]);
+    EXPECT_GE(engine["evaluations_over_floor"], 1.0) << engine["name"];
+    for (const char* phase : {"build_s", "search_s", "kill_s", "growth_s"})
+      EXPECT_GE(engine["phases"][phase], 0.0) << engine["name"];
+    trees.insert(engine["tree_hash"]);
+  }
+  EXPECT_EQ(trees.size(), 1u);
+  ASSERT_EQ(document["ratios"].size(), 5u);
+  for (const json& ratio : document["ratios"]) EXPECT_LE(ratio["ci95"][0], ratio["ci95"][1]);
+}
+
+TEST_F(RaceCommand, SkipsWhatWouldTakeTooLongAndSaysHowLong) {
+  const Outcome outcome = race(
+      "nearest-node --points 6000 --engines euclidean_scan,node_driven --options s --rounds 3 "
+      "--budget 1e-6 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const json& engine : json::parse(outcome.out)["engines"]) {
+    EXPECT_EQ(engine["state"], "skipped");
+    EXPECT_GT(engine["predicted_s"], 1e-6);
+    EXPECT_TRUE(engine["median_s"].is_null());
+  }
+}
+
+TEST_F(RaceCommand, TakesTheUsersPoints) {
+  std::string csv = "name,z,x,y\n";
+  for (int i = 0; i < 400; ++i)
+    csv += "p," + std::to_string(i % 7) + "," + std::to_string(i % 11) + "," +
+           std::to_string(i % 13) + "\n";
+  const Outcome outcome = race(
+      "nearest-node --engines squared_scan,node_driven --options s,d,n,dn "
+      "--rounds 3 --json --cloud " +
+      file("points.csv", csv));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json document = json::parse(outcome.out);
+  EXPECT_EQ(document["workload"]["points"], 400);
+  for (const json& engine : document["engines"]) EXPECT_EQ(engine["exact"], true);
+}
+
+TEST_F(RaceCommand, RefusesWrongInput) {
+  expect_refused("farthest-node", "cannot race");
+  expect_refused("nearest-nod", "did you mean");
+  expect_refused("nearest-node --engines voxel_grit", "unknown engine");
+  expect_refused("nearest-node --options x", "unknown loop option");
+  expect_refused("nearest-node --points 0", "points");
+  expect_refused("nearest-node --points nan", "points");
+  expect_refused("nearest-node --threads 0", "threads");
+  expect_refused("nearest-node --budget -1", "budget");
+  expect_refused("nearest-node --cloud " + (folder / "nothing.csv").string(), "nothing.csv");
+  expect_refused("nearest-node --cloud " + file("a.csv", "x,y\n1,2\n"), "a.csv:1: no column 'z'");
+  expect_refused("nearest-node --cloud " + file("b.csv", "x,y,z\n1,2,nan\n"), "b.csv:2: z = 'nan'");
+  expect_refused("nearest-node --cloud " + file("c.csv", "x,y,z\n1,2\n"), "c.csv:2: 2 fields");
+  expect_refused("nearest-node --cloud " + file("d.csv", "x,y,z\n1,2,1e200\n"), "beyond");
+}
+
+}  // namespace
+}  // namespace phytobench
