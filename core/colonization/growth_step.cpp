@@ -25,13 +25,13 @@ GrowthStep::GrowthStep(const GrowthParameters& parameters, int threads)
 GrowthStep::Counts GrowthStep::grow(std::span<const Vector3> points, const Assignment& assignment,
                                     std::int32_t first, std::vector<SearchableNode>& nodes,
                                     Skeleton& skeleton) {
-  associated_.clear();
-  assignment.associated.append_to(associated_);
-  find_pulls(points, assignment, nodes);
-  Counts counts = sum_pulls(nodes.size());
+  Counts counts{.associated_points = find_growing(points, assignment, nodes)};
+  note_changes();
+  sum_pulls(points, nodes);
   find_children(first, nodes, skeleton);
   for (std::size_t i = 0; i < growing_.size(); ++i) {
     const Child& child = children_[i];
+    last_step_[static_cast<std::size_t>(growing_[i].node)] = {growing_[i].points, child.fate};
     counts.suppressed_repeats += child.fate == Fate::repeat;
     if (child.fate != Fate::grows) continue;
     skeleton.append(first + growing_[i].node, child.node.position);
@@ -40,49 +40,72 @@ GrowthStep::Counts GrowthStep::grow(std::span<const Vector3> points, const Assig
   return counts;
 }
 
-void GrowthStep::find_pulls(std::span<const Vector3> points, const Assignment& assignment,
-                            const std::vector<SearchableNode>& nodes) {
-  const AttractionSum kind = parameters_.variant.attraction_sum;
-  const bool test_angle = parameters_.variant.perception_test == PerceptionTest::after_search;
-  pulls_.resize(associated_.size());
-  for_blocks(associated_.size(), threads_, [&](std::size_t begin, std::size_t end) {
-    const auto ahead = [&](std::size_t i) {
-      return static_cast<std::size_t>(associated_[std::min(i, end - 1)]);
-    };
-    for (std::size_t i = begin; i < end; ++i) {
-      __builtin_prefetch(&points[ahead(i + 2 * steps_ahead)]);
-      __builtin_prefetch(&assignment.node[ahead(i + 2 * steps_ahead)]);
-      __builtin_prefetch(&nodes[static_cast<std::size_t>(assignment.node[ahead(i + steps_ahead)])]);
-      const auto point = static_cast<std::size_t>(associated_[i]);
-      const NodeIndex index = assignment.node[point];
-      const SearchableNode& node = nodes[static_cast<std::size_t>(index)];
-      const bool given_up =
-          test_angle && !perception_.within_angle(node.position, node.direction, points[point],
-                                                  squared_distance(node.position, points[point]));
-      pulls_[i] = {attraction(node.position, points[point], kind), given_up ? no_node : index};
-    }
-  });
+bool GrowthStep::is_given_up(const Vector3& point, const SearchableNode& node) const {
+  return parameters_.variant.perception_test == PerceptionTest::after_search &&
+         !perception_.within_angle(node.position, node.direction, point,
+                                   squared_distance(node.position, point));
 }
 
-/// One thread, in the order of the points: rounding must not depend on how many threads there are.
-GrowthStep::Counts GrowthStep::sum_pulls(std::size_t node_count) {
-  Counts counts;
+/// Lists the nodes with points in the order of their lowest point. Returns the number of points.
+std::size_t GrowthStep::find_growing(std::span<const Vector3> points, const Assignment& assignment,
+                                     const std::vector<SearchableNode>& nodes) {
+  associated_.clear();
+  assignment.associated.append_to(associated_);
+  attracting_.clear();
   growing_.clear();
-  place_.resize(node_count, not_growing);
-  for (const Pull& pull : pulls_) {
-    if (pull.node == no_node) continue;
-    ++counts.associated_points;
-    std::int32_t& place = place_[static_cast<std::size_t>(pull.node)];
+  place_.resize(nodes.size(), not_growing);
+  last_step_.resize(nodes.size());
+  for (std::size_t i = 0; i < associated_.size(); ++i) {
+    const PointIndex soon = associated_[std::min(i + steps_ahead, associated_.size() - 1)];
+    __builtin_prefetch(&assignment.node[static_cast<std::size_t>(soon)]);
+    const PointIndex point = associated_[i];
+    const NodeIndex node = assignment.node[static_cast<std::size_t>(point)];
+    if (is_given_up(points[static_cast<std::size_t>(point)], nodes[static_cast<std::size_t>(node)]))
+      continue;
+    std::int32_t& place = place_[static_cast<std::size_t>(node)];
     if (place == not_growing) {
       place = static_cast<std::int32_t>(growing_.size());
-      growing_.push_back({{}, pull.node});
+      growing_.push_back({{}, node, 0, true});
     }
-    Vector3& sum = growing_[static_cast<std::size_t>(place)].sum;
-    sum = sum + pull.towards;
+    ++growing_[static_cast<std::size_t>(place)].points;
+    attracting_.push_back({point, place});
   }
   for (const GrowingNode& growing : growing_)
     place_[static_cast<std::size_t>(growing.node)] = not_growing;
-  return counts;
+  return attracting_.size();
+}
+
+/// A node gets points only when it is new; later it loses some to newer nodes or to removal. So if
+/// it has as many as at its last step, it has the same, would grow the same child, and that stands
+/// there already.
+void GrowthStep::note_changes() {
+  if (parameters_.variant.repeat_guard == RepeatGuard::off) return;
+  for (GrowingNode& growing : growing_)
+    growing.changed = growing.points != last_step_[static_cast<std::size_t>(growing.node)].points;
+  std::erase_if(attracting_, [this](const Attracting& attracting) {
+    return !growing_[static_cast<std::size_t>(attracting.place)].changed;
+  });
+}
+
+void GrowthStep::sum_pulls(std::span<const Vector3> points,
+                           const std::vector<SearchableNode>& nodes) {
+  const AttractionSum kind = parameters_.variant.attraction_sum;
+  pulls_.resize(attracting_.size());
+  for_blocks(attracting_.size(), threads_, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const PointIndex soon = attracting_[std::min(i + steps_ahead, end - 1)].point;
+      __builtin_prefetch(&points[static_cast<std::size_t>(soon)]);
+      const Attracting& attracting = attracting_[i];
+      const NodeIndex node = growing_[static_cast<std::size_t>(attracting.place)].node;
+      pulls_[i] = attraction(nodes[static_cast<std::size_t>(node)].position,
+                             points[static_cast<std::size_t>(attracting.point)], kind);
+    }
+  });
+  // One thread, in the order of the points: rounding must not depend on how many there are.
+  for (std::size_t i = 0; i < attracting_.size(); ++i) {
+    Vector3& sum = growing_[static_cast<std::size_t>(attracting_[i].place)].sum;
+    sum = sum + pulls_[i];
+  }
 }
 
 void GrowthStep::find_children(std::int32_t first, const std::vector<SearchableNode>& nodes,
@@ -91,8 +114,10 @@ void GrowthStep::find_children(std::int32_t first, const std::vector<SearchableN
   for_blocks(growing_.size(), threads_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const GrowingNode& soon = growing_[std::min(i + steps_ahead, end - 1)];
-      __builtin_prefetch(&nodes[static_cast<std::size_t>(soon.node)]);
-      skeleton.prefetch_children(first + soon.node);
+      if (soon.changed) {
+        __builtin_prefetch(&nodes[static_cast<std::size_t>(soon.node)]);
+        skeleton.prefetch_children(first + soon.node);
+      }
       children_[i] = child_of(growing_[i], first, nodes, skeleton);
     }
   });
@@ -101,6 +126,10 @@ void GrowthStep::find_children(std::int32_t first, const std::vector<SearchableN
 GrowthStep::Child GrowthStep::child_of(const GrowingNode& parent, std::int32_t first,
                                        const std::vector<SearchableNode>& nodes,
                                        const Skeleton& skeleton) const {
+  if (!parent.changed) {
+    const Fate last = last_step_[static_cast<std::size_t>(parent.node)].fate;
+    return {{}, last == Fate::no_direction ? last : Fate::repeat};
+  }
   const SearchableNode& node = nodes[static_cast<std::size_t>(parent.node)];
   const GrowthVariant& variant = parameters_.variant;
   const auto direction = growth_direction(parent.sum, parameters_.tropism, variant.tropism_order);

@@ -29,25 +29,34 @@ class GrowthStep {
               std::vector<SearchableNode>& nodes, Skeleton& skeleton);
 
  private:
-  /// What an associated point adds to its node's sum.
-  struct Pull {
-    Vector3 towards;
-    NodeIndex node;  ///< no_node: given up after the search
+  /// An associated point and the place of its node among the growing ones.
+  struct Attracting {
+    PointIndex point;
+    std::int32_t place;
   };
   /// A node with points, and the sum of their pulls.
   struct GrowingNode {
     Vector3 sum;
     NodeIndex node;
+    std::uint32_t points;
+    bool changed;  ///< since its last step
   };
   enum class Fate : std::uint8_t { grows, repeat, no_direction };
   struct Child {
     SearchableNode node;
     Fate fate;
   };
+  /// What is remembered of a node's last step.
+  struct LastStep {
+    std::uint32_t points = 0;
+    Fate fate = Fate::grows;
+  };
 
-  void find_pulls(std::span<const Vector3> points, const Assignment& assignment,
-                  const std::vector<SearchableNode>& nodes);
-  Counts sum_pulls(std::size_t node_count);
+  std::size_t find_growing(std::span<const Vector3> points, const Assignment& assignment,
+                           const std::vector<SearchableNode>& nodes);
+  bool is_given_up(const Vector3& point, const SearchableNode& node) const;
+  void note_changes();
+  void sum_pulls(std::span<const Vector3> points, const std::vector<SearchableNode>& nodes);
   void find_children(std::int32_t first, const std::vector<SearchableNode>& nodes,
                      const Skeleton& skeleton);
   Child child_of(const GrowingNode& parent, std::int32_t first,
@@ -58,8 +67,10 @@ class GrowthStep {
   DirectionLimit limit_;
   Perception perception_;
   std::vector<PointIndex> associated_;  // points that have a node, ascending
-  std::vector<Pull> pulls_;             // of the associated points
+  std::vector<Attracting> attracting_;  // those that count; then those of changed nodes
+  std::vector<Vector3> pulls_;          // of the attracting points
   std::vector<std::int32_t> place_;     // per node its place in growing_, or not_growing
+  std::vector<LastStep> last_step_;     // per node
   std::vector<GrowingNode> growing_;    // in order of first attraction point
   std::vector<Child> children_;         // of the growing nodes
 };
