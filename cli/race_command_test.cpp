@@ -106,7 +106,8 @@ TEST_F(RaceCommand, SkipsWhatWouldTakeTooLongAndSaysHowLong) {
       "nearest-node --points 6000 --engines euclidean_scan,node_driven --options s --rounds 3 "
       "--budget 1e-6 --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  for (const json& engine : json::parse(outcome.out)["engines"]) {
+  const json document = json::parse(outcome.out);
+  for (const json& engine : document["engines"]) {
     EXPECT_EQ(engine["state"], "skipped");
     EXPECT_GT(engine["predicted_s"], 1e-6);
     EXPECT_TRUE(engine["median_s"].is_null());
