@@ -52,13 +52,14 @@ class PairCounter final : public NearestNodeEngine {
     const auto along = [this](double value) {
       return static_cast<std::int64_t>(std::clamp(std::floor(value / edge_), -0x1p60, 0x1p60));
     };
-    return {along(v.x), along(v.y), along(v.z)};
+    return {along(v.x - corner_.x), along(v.y - corner_.y), along(v.z - corner_.z)};
   }
 
   void sort_into_cells() {
     BoundingBox box;
     for (const Vector3& point : points_) box.extend(point);
     const Vector3 extent = box.extent();
+    corner_ = box.low();  // far from the origin the cells would round away
     edge_ = std::min(setup_.influence_distance,
                      2.0 * std::max({extent.x, extent.y, extent.z, 1e-300})) *
             (1.0 + 0x1p-20);
@@ -90,6 +91,7 @@ class PairCounter final : public NearestNodeEngine {
   std::span<const Vector3> points_;
   EngineSetup setup_;
   double edge_ = 1.0;
+  Vector3 corner_;
   std::vector<std::pair<Cell, PointIndex>> cells_;
   std::vector<std::uint8_t> is_live_;
 };

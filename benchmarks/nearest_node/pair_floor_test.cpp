@@ -198,6 +198,18 @@ TEST(PairFloor, LosesNothingToRoundingAtCellBorders) {
     }
 }
 
+// Far from the origin a coordinate over the cell's edge has no bits left for the margin.
+TEST(PairFloor, LosesNothingFarFromTheOrigin) {
+  for (const double offset : {1e9, 1e10, 1e11, 1e12})
+    for (int k = 0; k < 50; ++k) {
+      const double base = offset + 0.625 * k;
+      Seedling seedling =
+          seedling_with({{base + 0.5, 0, 0}, {base - 0.5, 0, 0}, {base + 3, 0, 0}}, 0.5, 0.25, 1);
+      seedling.skeleton = Skeleton({base, 0, 0});
+      ASSERT_EQ(count_pairs(seedling, {}).association, 2u) << base;
+    }
+}
+
 TEST(PairFloor, OfNoPointIsNothing) {
   const PairFloor floor = count_pairs(seedling_with({}, 0.5, 0.25, 5), {});
   EXPECT_EQ(floor.association, 0u);

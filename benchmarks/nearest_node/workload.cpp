@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -41,6 +42,10 @@ Workload scaled_test_tree(const WorkloadRequest& request) {
   if (!(request.points >= 1.0 && request.points <= most_points))
     throw InputError(
         fmt::format("--points {} is out of range; give 1 to {}", request.points, most_points));
+  constexpr std::uint64_t largest_seed = std::numeric_limits<std::int32_t>::max();
+  if (request.seed > largest_seed)
+    throw InputError(
+        fmt::format("--seed {} is out of range; give 0 to {}", request.seed, largest_seed));
   TreeParameters tree = test_tree();
   const double density = request.density > 0.0 ? request.density : tree.cloud_density;
   const double own_points = std::ceil(volume(tree.cloud) * tree.cloud_density);
@@ -55,7 +60,7 @@ Workload scaled_test_tree(const WorkloadRequest& request) {
 
 std::vector<Vector3> read_points(const std::filesystem::path& file) {
   const auto columns = read_number_columns(file, {"x", "y", "z"});
-  constexpr double largest = 1e150;  // squares must not overflow
+  constexpr double largest = 1e100, smallest = 1e-90;  // volumes must not over- or underflow
   std::vector<Vector3> points;
   points.reserve(columns.front().size());
   for (std::size_t i = 0; i < columns.front().size(); ++i) {
@@ -65,6 +70,11 @@ std::vector<Vector3> read_points(const std::filesystem::path& file) {
                                    file.string(), i, largest));
     points.push_back(point);
   }
+  const Vector3 extent = extent_of(points).extent();
+  const double longest = std::max({extent.x, extent.y, extent.z});
+  if (longest > 0.0 && longest < smallest)
+    throw InputError(
+        fmt::format("{}: all points lie within {}; use a smaller unit", file.string(), smallest));
   return points;
 }
 

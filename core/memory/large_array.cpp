@@ -14,6 +14,7 @@ void* allocate_large(std::size_t bytes) {
   const bool huge = bytes >= 2 * huge_page;
   const std::size_t alignment = huge ? huge_page : cache_line;
   const std::size_t whole = (bytes / alignment + 1) * alignment;
+  if (whole < bytes) throw std::bad_alloc();
   void* const memory = std::aligned_alloc(alignment, whole);
   if (memory == nullptr) throw std::bad_alloc();
   if (huge) ::madvise(memory, whole, MADV_HUGEPAGE);  // advice: failing is no harm

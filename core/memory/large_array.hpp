@@ -3,8 +3,11 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <memory>
+#include <new>
 #include <type_traits>
+#include <utility>
 
 namespace phytobench {
 
@@ -20,9 +23,20 @@ class LargeArray {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
+  LargeArray() = default;
+  LargeArray(LargeArray&& other) noexcept { *this = std::move(other); }
+  LargeArray& operator=(LargeArray&& other) noexcept {
+    memory_ = std::move(other.memory_);
+    size_ = std::exchange(other.size_, 0);
+    capacity_ = std::exchange(other.capacity_, 0);
+    return *this;
+  }
+
   void resize_for_overwrite(std::size_t count) {
     if (count > capacity_) {
-      memory_.reset();
+      if (count > std::numeric_limits<std::size_t>::max() / sizeof(T)) throw std::bad_alloc();
+      memory_.reset();  // first, so that both need not fit
+      size_ = capacity_ = 0;
       memory_.reset(static_cast<T*>(allocate_large(count * sizeof(T))));
       capacity_ = count;
     }

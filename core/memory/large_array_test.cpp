@@ -2,6 +2,7 @@
 #include "core/memory/large_array.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <new>
 #include <numeric>
@@ -112,6 +113,15 @@ TEST(LargeArray, TellsWhenThereIsNotEnoughMemory) {
   EXPECT_THROW(numbers.resize_for_overwrite(std::size_t{1} << 58), std::bad_alloc);
 }
 
+// The product of count and element size does not fit: no small array must come out.
+TEST(LargeArray, RefusesACountWhoseBytesOverflow) {
+  LargeArray<double> numbers;
+  numbers.resize_for_overwrite(10);
+  EXPECT_THROW(numbers.resize_for_overwrite((std::size_t{1} << 61) + 1), std::bad_alloc);
+  EXPECT_THROW(allocate_large(std::numeric_limits<std::size_t>::max()), std::bad_alloc);
+  EXPECT_EQ(numbers.size(), 10u) << "what was there is kept";
+}
+
 TEST(LargeArray, MovesButIsNotCopied) {
   EXPECT_FALSE(std::is_copy_constructible_v<LargeArray<int>>);
   LargeArray<int> numbers;
@@ -119,6 +129,8 @@ TEST(LargeArray, MovesButIsNotCopied) {
   std::iota(numbers.begin(), numbers.end(), 0);
   const int* const memory = numbers.data();
   const LargeArray<int> moved = std::move(numbers);
+  numbers.resize_for_overwrite(50);
+  expect_usable(numbers.data(), 50 * sizeof(int));
   EXPECT_EQ(moved.data(), memory);
   EXPECT_EQ(moved.size(), 100u);
   EXPECT_EQ(moved[99], 99);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace phytobench {
 
@@ -26,11 +25,14 @@ std::size_t KillGrid::cell_of(const Vector3& v) const {
   return number(along(x_, v.x), along(y_, v.y), along(z_, v.z));
 }
 
+/// Below it squares underflow: whatever is nearer is within any reach.
+constexpr double smallest_edge = 1e-150;
+
 void KillGrid::build(std::span<const SearchableNode> killers, double kill_distance) {
   squared_reach_ = kill_distance * kill_distance;
   BoundingBox box;
   for (const SearchableNode& killer : killers) box.extend(killer.position);
-  within_reach_ = killers.empty() ? box : box.widened(kill_distance);
+  within_reach_ = killers.empty() ? box : box.widened(std::max(kill_distance, smallest_edge));
   begins_.clear();
   killers_.resize(killers.size());
   if (killers.empty()) return;
@@ -40,8 +42,7 @@ void KillGrid::build(std::span<const SearchableNode> killers, double kill_distan
   for (const Vector3& corner : {box.low(), box.high()})
     largest = std::max({largest, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
   // Wider than the distance by more than rounding can move a coordinate across a border.
-  double edge = std::max(kill_distance * (1.0 + 0x1p-20) + largest * 0x1p-40,
-                         std::numeric_limits<double>::min());
+  double edge = std::max(kill_distance * (1.0 + 0x1p-20) + largest * 0x1p-40, smallest_edge);
   const double most_cells = 4.0 * static_cast<double>(killers.size()) + 64.0;
   const auto cells = [&edge](double length) { return std::floor(length / edge) + 1.0; };
   while (cells(extent.x) * cells(extent.y) * cells(extent.z) > most_cells) edge *= 1.25;

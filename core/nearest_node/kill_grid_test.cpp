@@ -307,5 +307,18 @@ TEST(KillGridWork, IsLocalForFewKillersFarApartAndATinyDistance) {
   EXPECT_LT(evaluations, points.size() * 50);
 }
 
+// The square of such a distance is zero: a point that near is removed even at no distance, as a
+// loop over all pairs does.
+TEST(KillGrid, AgreesWithAPlainLoopWhereSquaresUnderflow) {
+  const std::vector<SearchableNode> killers{{{0, 0, 0}, {0, 1, 0}}};
+  for (const double distance : {0.0, 1e-300, 1e-170, 1e-160}) {
+    KillGrid grid;
+    grid.build(killers, distance);
+    std::uint64_t evaluations = 0;
+    EXPECT_TRUE(grid.reaches({1e-165, 0, 0}, evaluations)) << distance;
+    EXPECT_FALSE(grid.reaches({1e-100, 0, 0}, evaluations)) << distance;
+  }
+}
+
 }  // namespace
 }  // namespace phytobench
