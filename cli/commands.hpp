@@ -53,7 +53,7 @@ struct RaceOptions {
   int iterations = 0;  ///< 0: as many as the size asks for
   std::vector<std::string> engines{"all"};
   std::vector<std::string> options{"s", "d", "n", "dn"};
-  int threads = 1;
+  std::vector<int> threads{1};
   double density = 0.0;  ///< 0: that of the thesis' test tree
   double budget = 120.0;
   int rounds = 0;  ///< 0: as many as fit into a minute, at least 3

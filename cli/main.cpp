@@ -118,7 +118,9 @@ void add_race(CLI::App& app, Commands& commands) {
   sub->add_option("--options", options.options, "Loop options S, D, N, DN; comma-separated")
       ->delimiter(',')
       ->capture_default_str();
-  sub->add_option("--threads", options.threads, "Threads of engines and growth")
+  sub->add_option("--threads", options.threads,
+                  "Threads of engines and growth; several are raced against each other")
+      ->delimiter(',')
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));
   sub->add_option("--density", options.density, "Points per unit volume; 0: that of the test tree")

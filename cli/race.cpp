@@ -101,7 +101,7 @@ std::vector<const RaceEntry*> ranking(const RaceResult& result) {
   return timed;
 }
 
-ordered_json workload_json(const Workload& workload, const RaceResult& result, int threads) {
+ordered_json workload_json(const Workload& workload, const RaceResult& result) {
   const GrowthParameters& growth = workload.seedling.growth;
   return {
       {"name", workload.name},
@@ -112,17 +112,15 @@ ordered_json workload_json(const Workload& workload, const RaceResult& result, i
       {"seed", workload.seed},
       {"density", workload.density},
       {"influence_distance", growth.influence_distance},
-      {"threads", threads},
       {"judge", result.judge},
       {"floor",
        {{"association_pairs", result.floor.association}, {"removal_pairs", result.floor.removal}}}};
 }
 
-ordered_json entry_json(const RaceEntry& entry, const RaceResult& result, int threads) {
+ordered_json entry_json(const RaceEntry& entry, const RaceResult& result) {
   ordered_json json{{"name", entry.engine->name},
-                    {"option", entry.option},
                     {"options", entry.option},
-                    {"threads", threads},
+                    {"threads", entry.threads},
                     {"state", name_of(entry.state)},
                     {"built", entry.engine->built()},
                     {"exact", nullptr},
@@ -132,7 +130,6 @@ ordered_json entry_json(const RaceEntry& entry, const RaceResult& result, int th
                     {"distance_evaluations", nullptr},
                     {"bytes_per_point", nullptr},
                     {"phases", nullptr}};
-  json.erase("option");
   if (entry.predicted_s > 0.0) json["predicted_s"] = entry.predicted_s;
   if (entry.state == State::not_built) json["missing_package"] = entry.engine->missing_package;
   if (entry.state == State::inexact) {
@@ -169,10 +166,10 @@ ordered_json document(const Workload& workload, const RaceResult& result,
   ordered_json json;
   json["schema"] = "phytobench/race-1";
   json["lane"] = "exact";
-  json["workload"] = workload_json(workload, result, options.threads);
+  json["workload"] = workload_json(workload, result);
   json["engines"] = ordered_json::array();
   for (const RaceEntry& entry : result.entries)
-    json["engines"].push_back(entry_json(entry, result, options.threads));
+    json["engines"].push_back(entry_json(entry, result));
   json["ratios"] = ordered_json::array();
   const auto ranked = ranking(result);
   for (std::size_t i = 1; i < ranked.size(); ++i) {
@@ -182,8 +179,9 @@ ordered_json document(const Workload& workload, const RaceResult& result,
                               {"ratio", ratio.value},
                               {"ci95", {ratio.low, ratio.high}}});
   }
-  json["environment"] =
-      ordered_json::parse(environment_json(options.command_line, workload.seed, options.threads));
+  json["environment"] = ordered_json::parse(
+      environment_json(options.command_line, workload.seed,
+                       *std::max_element(options.threads.begin(), options.threads.end())));
   return json;
 }
 
@@ -198,7 +196,7 @@ std::string timed_line(const RaceEntry& entry, const RaceEntry& fastest, const R
   const Estimate ratio = time_ratio(entry, fastest);
   const double floor = static_cast<double>(result.floor.association + result.floor.removal);
   return fmt::format(
-      "{:<22} {:>10}  {:>10} - {:>10}  {:>8.1f}x  {:>10} {:>10} {:>10} {:>10}  {:>9.3g} {:>7}\n",
+      "{:<29} {:>10}  {:>10} - {:>10}  {:>8.1f}x  {:>10} {:>10} {:>10} {:>10}  {:>9.3g} {:>7}\n",
       entry.name(), with_unit(total.value), with_unit(total.low), with_unit(total.high),
       ratio.value, with_unit(median_reset(entry)),
       with_unit(median_of(entry, &PhaseSeconds::association)),
@@ -211,30 +209,29 @@ std::string timed_line(const RaceEntry& entry, const RaceEntry& fastest, const R
 std::string other_line(const RaceEntry& entry) {
   switch (entry.state) {
     case State::not_built:
-      return fmt::format("{:<22} not built: {} was not found\n", entry.name(),
+      return fmt::format("{:<29} not built: {} was not found\n", entry.name(),
                          entry.engine->missing_package);
     case State::skipped:
-      return fmt::format("{:<22} skipped: predicted {} for one growth, more than --budget\n",
+      return fmt::format("{:<29} skipped: predicted {} for one growth, more than --budget\n",
                          entry.name(), with_unit(entry.predicted_s));
     case State::inexact:
-      return fmt::format("{:<22} INEXACT, no time: {}\n", entry.name(), entry.disagreement);
+      return fmt::format("{:<29} INEXACT, no time: {}\n", entry.name(), entry.disagreement);
     case State::timed:
       break;
   }
   return {};
 }
 
-std::string table(const Workload& workload, const RaceResult& result, int threads) {
+std::string table(const Workload& workload, const RaceResult& result) {
   std::string text = fmt::format(
-      "{}: {} points, {} iterations, {} nodes, {} thread{}\njudged by the {}; pairs that must be "
+      "{}: {} points, {} iterations, {} nodes\njudged by the {}; pairs that must be "
       "looked at: {} to associate, {} to remove\n\n",
       workload.name, workload.seedling.attraction_points.size(), result.iterations, result.nodes,
-      threads, threads == 1 ? "" : "s", result.judge, result.floor.association,
-      result.floor.removal);
+      result.judge, result.floor.association, result.floor.removal);
   const auto ranked = ranking(result);
   if (!ranked.empty())
     text += fmt::format(
-        "{:<22} {:>10}  {:>10} - {:>10}  {:>9}  {:>10} {:>10} {:>10} {:>10}  {:>9} {:>7}\n",
+        "{:<29} {:>10}  {:>10} - {:>10}  {:>9}  {:>10} {:>10} {:>10} {:>10}  {:>9} {:>7}\n",
         "engine, option", "median", "95 % from", "to", "fastest", "build", "search", "kill",
         "growth", "pairs/min", "B/point");
   for (const RaceEntry* entry : ranked) text += timed_line(*entry, *ranked.front(), result);
@@ -253,17 +250,16 @@ int race(const RaceOptions& options) {
   const auto loop_options = chosen_options(options.options);
   const Workload workload = chosen_workload(options);
   catch_interrupts();
-  const RaceResult result = phytobench::race({.workload = &workload,
-                                              .engines = engines,
-                                              .options = loop_options,
-                                              .threads = options.threads,
-                                              .budget_s = options.budget,
-                                              .rounds = options.rounds,
-                                              .order_seed = options.seed,
-                                              .show_progress = show_progress,
-                                              .is_interrupted = is_interrupted});
+  const RaceResult result =
+      phytobench::race({.workload = &workload,
+                        .contestants = combinations(engines, loop_options, options.threads),
+                        .budget_s = options.budget,
+                        .rounds = options.rounds,
+                        .order_seed = options.seed,
+                        .show_progress = show_progress,
+                        .is_interrupted = is_interrupted});
   print(options.json ? document(workload, result, options).dump(2) + "\n"
-                     : table(workload, result, options.threads));
+                     : table(workload, result));
   const bool wrong = std::any_of(result.entries.begin(), result.entries.end(),
                                  [](const RaceEntry& e) { return e.state == State::inexact; });
   return wrong ? 1 : 0;

@@ -136,6 +136,10 @@ TEST_F(RaceCommand, RefusesWrongInput) {
   expect_refused("nearest-node --options x", "unknown loop option");
   expect_refused("nearest-node --points 0", "points");
   expect_refused("nearest-node --points nan", "points");
+  expect_refused("nearest-node --seed 1099511627776", "--seed");
+  expect_refused("nearest-node --threads 1,0", "threads");
+  expect_refused("nearest-node --cloud " + file("e.csv", "x,y,z\n0,0,0\n0,1e-95,0\n"),
+                 "smaller unit");
   expect_refused("nearest-node --threads 0", "threads");
   expect_refused("nearest-node --budget -1", "budget");
   expect_refused("nearest-node --cloud " + (folder / "nothing.csv").string(), "nothing.csv");

@@ -94,13 +94,12 @@ class Race {
   using State = RaceEntry::State;
 
   void list_entries() {
-    for (const EngineDescriptor* engine : request_.engines)
-      for (const std::string& option : request_.options)
-        result_.entries.push_back({.engine = engine, .option = option});
+    for (const Contestant& contestant : request_.contestants)
+      static_cast<Contestant&>(result_.entries.emplace_back()) = contestant;
   }
 
   GrowthRun run_of(const RaceEntry& entry) const {
-    return {.options = loop_options_named(entry.option), .threads = request_.threads};
+    return {.options = loop_options_named(entry.option), .threads = entry.threads};
   }
 
   void progress(const std::string& what) const {
@@ -123,7 +122,8 @@ class Race {
     for (RaceEntry& entry : result_.entries) {
       if (!entry.engine->built()) continue;
       progress("predicting " + entry.name());
-      entry.predicted_s = predictor.predict(*entry.engine, run_of(entry));
+      if (std::isfinite(request_.budget_s))
+        entry.predicted_s = predictor.predict(*entry.engine, run_of(entry));
       entry.state = entry.predicted_s > request_.budget_s ? State::skipped : State::inexact;
     }
   }
@@ -142,8 +142,11 @@ class Race {
   void check() {
     for (RaceEntry& entry : result_.entries) {
       if (entry.state != State::inexact) continue;
-      CheckedGrowth checked = grow_checked(*entry.engine, seedling_, *judge_,
-                                           observed(run_of(entry), "checking " + entry.name()));
+      CheckedGrowth checked;
+      check_seconds_[&entry] = seconds_of([&] {
+        checked = grow_checked(*entry.engine, seedling_, *judge_,
+                               observed(run_of(entry), "checking " + entry.name()));
+      });
       entry.disagreement = checked.disagreement;
       if (!checked.verified) continue;
       if (!accept_tree(*checked.verified, entry)) continue;
@@ -154,7 +157,7 @@ class Race {
       verified_.emplace(&entry, *checked.verified);
     }
     progress("counting pairs");
-    result_.floor = count_pairs(seedling_, {.threads = request_.threads});
+    result_.floor = count_pairs(seedling_, {});
   }
 
   /// Where the judge does not know the tree, the first one that agreed in every answer is it.
@@ -171,22 +174,23 @@ class Race {
     const auto trusted =
         std::find_if(result_.entries.begin(), result_.entries.end(),
                      [](const RaceEntry& entry) { return entry.state == State::timed; });
-    if (!request_.measure_memory || trusted == result_.entries.end()) return;
+    if (!(request_.replay_s > 0.0) || trusted == result_.entries.end()) return;
     progress("recording a trace");
     const GrowthTrace trace = record_trace(*trusted->engine, seedling_, run_of(*trusted));
     std::map<std::string_view, double> bytes;
     for (RaceEntry& entry : result_.entries) {
-      if (entry.state != State::timed) continue;
+      if (entry.state != State::timed || check_seconds_.at(&entry) > request_.replay_s) continue;
       if (!bytes.contains(entry.engine->name)) {
         progress("memory of " + std::string(entry.engine->name));
         bytes[entry.engine->name] =
-            replay(trace, *entry.engine, seedling_.attraction_points, request_.threads).bytes;
+            replay(trace, *entry.engine, seedling_.attraction_points, entry.threads).bytes;
       }
       if (points_ > 0.0) entry.bytes_per_point = bytes[entry.engine->name] / points_;
     }
   }
 
   void time() {
+    if (!request_.measure_time) return;
     std::vector<RaceEntry*> timed;
     for (RaceEntry& entry : result_.entries)
       if (entry.state == State::timed) timed.push_back(&entry);
@@ -215,9 +219,26 @@ class Race {
   std::unique_ptr<GrowthJudge> judge_;
   std::string tree_hash_;
   std::map<const RaceEntry*, VerifiedRun> verified_;
+  std::map<const RaceEntry*, double> check_seconds_;
 };
 
 }  // namespace
+
+std::string Contestant::name() const {
+  std::string name = std::string(engine->name) + " " + option;
+  if (threads > 1) name += fmt::format(", {} threads", threads);
+  return name;
+}
+
+std::vector<Contestant> combinations(const std::vector<const EngineDescriptor*>& engines,
+                                     const std::vector<std::string>& options,
+                                     const std::vector<int>& threads) {
+  std::vector<Contestant> all;
+  for (const EngineDescriptor* engine : engines)
+    for (const std::string& option : options)
+      for (const int count : threads) all.push_back({engine, option, count});
+  return all;
+}
 
 RaceResult race(const RaceRequest& request) {
   return Race(request).run();

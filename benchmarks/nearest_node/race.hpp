@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,23 @@
 
 namespace phytobench {
 
-/// One engine with one loop option.
-struct RaceEntry {
+/// One engine with one loop option and one number of threads.
+struct Contestant {
+  const EngineDescriptor* engine = nullptr;
+  std::string option = "dn";
+  int threads = 1;
+
+  /// "voxel_grid dn", and "voxel_grid dn, 2 threads" for more than one.
+  std::string name() const;
+};
+
+/// All combinations, engines first.
+std::vector<Contestant> combinations(const std::vector<const EngineDescriptor*>& engines,
+                                     const std::vector<std::string>& options,
+                                     const std::vector<int>& threads);
+
+/// What the race found out about a contestant.
+struct RaceEntry : Contestant {
   enum class State {
     timed,      ///< exact, and timed
     inexact,    ///< differs from the judge: no time
@@ -22,8 +38,6 @@ struct RaceEntry {
     not_built,  ///< its library was not found
   };
 
-  const EngineDescriptor* engine = nullptr;
-  std::string option;
   State state = State::not_built;
   double predicted_s = 0.0;  ///< of one growth; 0 if there was no need to predict
   std::string disagreement;  ///< of an inexact one: iteration, point, both nodes, both distances
@@ -31,26 +45,25 @@ struct RaceEntry {
   WorkCounters work;
   double bytes_per_point = -1.0;  ///< held by the engine at most; negative if unknown
   std::vector<PhaseSeconds> rounds;
-
-  std::string name() const { return std::string(engine->name) + " " + option; }
 };
 
 struct RaceRequest {
   const Workload* workload = nullptr;
-  std::vector<const EngineDescriptor*> engines;
-  std::vector<std::string> options;
-  int threads = 1;
-  double budget_s = 120.0;       ///< of one growth; what is predicted to take longer is skipped
+  std::vector<Contestant> contestants;
+  double budget_s = 120.0;  ///< of one growth; what is predicted to take longer is skipped;
+                            ///< infinite: nothing is, and nothing is predicted
+  bool measure_time = true;
   double timing_s = 60.0;        ///< of all timed rounds together, roughly
   int rounds = 0;                ///< 0: as many as timing_s allows, at least 3, at most 25
   std::uint64_t order_seed = 0;  ///< of the order within each round, and of the judge's sample
-  bool measure_memory = true;
+  double replay_s = std::numeric_limits<double>::infinity();   ///< memory is measured by growing
+                                                               ///< again, unless that takes longer
   std::function<void(const std::string&)> show_progress = {};  ///< may be empty
   std::function<bool()> is_interrupted = {};                   ///< may be empty
 };
 
 struct RaceResult {
-  std::vector<RaceEntry> entries;  ///< in the order of engines, then options
+  std::vector<RaceEntry> entries;  ///< in the order of the contestants
   std::string judge;
   std::size_t nodes = 0;       ///< of the tree, stem included
   std::size_t iterations = 0;  ///< executed
