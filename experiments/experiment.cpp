@@ -18,7 +18,18 @@ void ExperimentContext::record(Record record) {
 
 void ExperimentContext::timing(const std::string& name, std::int64_t round, std::int64_t position,
                                double seconds) {
-  timings_.push_back({id_, id_ + "/" + name, round, position, seconds, threads_});
+  timing({.experiment = {},
+          .measurement = name,
+          .round = round,
+          .position = position,
+          .value = seconds,
+          .threads = threads_});
+}
+
+void ExperimentContext::timing(TimingSample sample) {
+  sample.experiment = id_;
+  sample.measurement = id_ + "/" + sample.measurement;
+  timings_.push_back(std::move(sample));
 }
 
 void ExperimentContext::artifact(const std::string& name, std::string content) {

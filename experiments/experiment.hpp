@@ -27,6 +27,8 @@ class ExperimentContext {
   /// The same for a value that rests on random numbers started from `seed`, or on a sample.
   void record(Record record);
   void timing(const std::string& name, std::int64_t round, std::int64_t position, double seconds);
+  /// The same with another number of threads, or another unit than seconds.
+  void timing(TimingSample sample);
   /// A file for the run's artifacts folder.
   void artifact(const std::string& name, std::string content);
 

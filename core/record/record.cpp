@@ -48,13 +48,18 @@ std::string to_json_line(const Record& record) {
 }
 
 std::string to_json_line(const TimingSample& sample) {
-  PHYTOBENCH_EXPECT(std::isfinite(sample.seconds));
+  PHYTOBENCH_EXPECT(std::isfinite(sample.value));
   ordered_json line;
   line["experiment"] = sample.experiment;
   line["measurement"] = sample.measurement;
   line["round"] = sample.round;
   line["position"] = sample.position;
-  line["seconds"] = sample.seconds;
+  if (sample.unit == "s") {
+    line["seconds"] = sample.value;
+  } else {
+    line["value"] = sample.value;
+    line["unit"] = sample.unit;
+  }
   line["threads"] = sample.threads;
   return line.dump();
 }

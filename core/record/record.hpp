@@ -25,14 +25,16 @@ struct Record {
   std::optional<std::uint64_t> seed = std::nullopt;  ///< of the random numbers behind the value
 };
 
-/// One raw timing. `round` counts interleaved repetitions, `position` the place within the round.
+/// One raw sample of what is not the same in every run: a time, or memory. `round` counts
+/// interleaved repetitions, `position` the place within the round.
 struct TimingSample {
   std::string experiment;
   std::string measurement;
   std::int64_t round = 0;
   std::int64_t position = 0;
-  double seconds = 0.0;
+  double value = 0.0;
   std::int64_t threads = 1;
+  std::string unit = "s";
 };
 
 enum class Tier { smoke, quick, full };

@@ -65,16 +65,24 @@ TEST(TimingLine, HoldsRoundPositionSecondsAndThreads) {
                             .measurement = "p/e/m",
                             .round = 2,
                             .position = 1,
-                            .seconds = 0.25,
+                            .value = 0.25,
                             .threads = 4};
   EXPECT_EQ(to_json_line(sample),
             R"({"experiment":"p/e","measurement":"p/e/m","round":2,"position":1,"seconds":0.25,)"
             R"("threads":4})");
 }
 
+TEST(TimingLine, NamesTheUnitOfWhatIsNoTime) {
+  const TimingSample sample{
+      .experiment = "p/e", .measurement = "p/e/m", .value = 4096.0, .unit = "B"};
+  EXPECT_EQ(to_json_line(sample),
+            R"({"experiment":"p/e","measurement":"p/e/m","round":0,"position":0,"value":4096.0,)"
+            R"("unit":"B","threads":1})");
+}
+
 TEST(TimingLine, RefusesWhatIsNotFinite) {
   for (const double seconds : {not_a_number, infinity})
-    EXPECT_THROW(to_json_line(TimingSample{.seconds = seconds}), ContractViolation) << seconds;
+    EXPECT_THROW(to_json_line(TimingSample{.value = seconds}), ContractViolation) << seconds;
 }
 
 TEST(Tier, IsFoundByItsName) {

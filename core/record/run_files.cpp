@@ -91,9 +91,14 @@ TimingSample timing_from(const ordered_json& line) {
                       .measurement = line.at("measurement"),
                       .round = line.at("round"),
                       .position = line.at("position"),
-                      .seconds = line.at("seconds"),
                       .threads = line.at("threads")};
-  if (!(sample.seconds > 0.0)) throw InputError("a timing must be positive seconds");
+  if (line.contains("seconds")) {
+    sample.value = line.at("seconds");
+  } else {
+    sample.value = line.at("value");
+    sample.unit = line.at("unit");
+  }
+  if (!(sample.value > 0.0)) throw InputError("a timing must be positive seconds");
   return sample;
 }
 

@@ -30,7 +30,7 @@ Record record_of(const std::string& experiment, const std::string& name, RecordV
 }
 
 TimingSample timing_of(const std::string& experiment, double seconds) {
-  return {.experiment = experiment, .measurement = experiment + "/time", .seconds = seconds};
+  return {.experiment = experiment, .measurement = experiment + "/time", .value = seconds};
 }
 
 std::string record_line(const std::string& experiment, const std::string& name) {
@@ -115,7 +115,7 @@ TEST_F(RunFiles, ComeBackAsTheyWereWritten) {
                             .measurement = "p/one/time",
                             .round = 3,
                             .position = 2,
-                            .seconds = 1e-7,
+                            .value = 1e-7,
                             .threads = 4};
   RunWriter writer = start();
   writer.append("p/one", std::vector<Record>{rich}, std::vector<TimingSample>{timing});
@@ -138,7 +138,7 @@ TEST_F(RunFiles, ComeBackAsTheyWereWritten) {
   EXPECT_EQ(run.timings[0].measurement, "p/one/time");
   EXPECT_EQ(run.timings[0].round, 3);
   EXPECT_EQ(run.timings[0].position, 2);
-  EXPECT_EQ(run.timings[0].seconds, 1e-7);
+  EXPECT_EQ(run.timings[0].value, 1e-7);
   EXPECT_EQ(run.timings[0].threads, 4);
 }
 

@@ -30,7 +30,7 @@ std::optional<RecordValue> Evidence::recorded(const std::string& measurement) co
 std::vector<double> Evidence::samples(const std::string& measurement) const {
   std::vector<double> samples;
   if (const auto timed = timings_.find(measurement); timed != timings_.end()) {
-    for (const TimingSample& sample : timed->second) samples.push_back(sample.seconds);
+    for (const TimingSample& sample : timed->second) samples.push_back(sample.value);
   } else if (const auto found = records_.find(measurement); found != records_.end()) {
     if (const auto* whole = std::get_if<std::int64_t>(&found->second))
       samples.push_back(static_cast<double>(*whole));
@@ -42,7 +42,7 @@ std::vector<double> Evidence::samples(const std::string& measurement) const {
 std::map<std::int64_t, double> Evidence::rounds(const std::string& measurement) const {
   std::map<std::int64_t, double> rounds;
   if (const auto timed = timings_.find(measurement); timed != timings_.end())
-    for (const TimingSample& sample : timed->second) rounds[sample.round] = sample.seconds;
+    for (const TimingSample& sample : timed->second) rounds[sample.round] = sample.value;
   return rounds;
 }
 

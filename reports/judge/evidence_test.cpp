@@ -16,7 +16,7 @@ TimingSample sample_of(const std::string& measurement, std::int64_t round, doubl
           .measurement = measurement,
           .round = round,
           .position = 0,
-          .seconds = seconds,
+          .value = seconds,
           .threads = threads};
 }
 

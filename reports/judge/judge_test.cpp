@@ -54,7 +54,7 @@ std::vector<TimingSample> timed(const std::string& measurement, const std::vecto
                        .measurement = measurement,
                        .round = static_cast<std::int64_t>(samples.size()),
                        .position = 0,
-                       .seconds = value,
+                       .value = value,
                        .threads = threads});
   }
   return samples;

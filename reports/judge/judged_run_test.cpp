@@ -31,7 +31,7 @@ void add_timing(RunContents& run, const std::string& measurement,
                            .measurement = measurement,
                            .round = round,
                            .position = 0,
-                           .seconds = value,
+                           .value = value,
                            .threads = 1});
     ++round;
   }
