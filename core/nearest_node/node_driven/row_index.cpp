@@ -21,7 +21,7 @@ std::int32_t whole_blocks(std::int32_t slots) {
 }
 
 // Measured on clouds of 1e4 to 1e7 points: thinner rows look at fewer points, but at more rows.
-constexpr double row_edge_per_reach = 0.6;
+constexpr double row_edge_per_reach = 0.55;
 constexpr double cell_per_reach = 0.22;
 constexpr double most_chunks_per_point = 0.7;
 constexpr std::size_t points_worth_slabs = 200'000;
@@ -44,11 +44,11 @@ RowShape row_shape(const BoundingBox& box, std::size_t count, double reach) {
   shape.margin = reach * 0x1p-30 + largest_coordinate(box) * 0x1p-46;
   const double longest = std::max({extent.x, extent.y, extent.z});
   const double most_chunks =
-      std::min(most_chunks_per_point * static_cast<double>(count) + 64.0, 5e7);  // 32-bit offsets
+      std::min(most_chunks_per_point * static_cast<double>(count) + 16.0, 5e7);  // 32-bit offsets
   // No finer than a double can tell cells apart, and not zero for a single point.
   double edge = std::max(
       {row_edge_per_reach * reach, 0x1p-20 * longest, std::numeric_limits<double>::min() * 0x1p20});
-  for (;; edge *= 1.25) {
+  for (;; edge *= 1.03) {
     shape.row_edge = edge;
     shape.cell_x = edge * (cell_per_reach / row_edge_per_reach);
     const double chunks = std::floor(extent.x / (shape.cell_x * RowShape::chunk_cells)) + 1.0;
@@ -185,23 +185,29 @@ std::size_t RowIndex::bytes() const {
          entries_.size() * sizeof(std::uint16_t) + row_begins_.size() * sizeof(std::int32_t);
 }
 
-std::int32_t RowIndex::chunk_of(std::int32_t slot) const {
-  const PointBlock& block = blocks_[static_cast<std::size_t>(slot / PointBlock::width)];
-  const std::int32_t lane = slot % PointBlock::width;
-  const Cell cell = cell_of({block.x[lane], block.y[lane], block.z[lane]});
-  return cell.row * shape_.row_entries() + cell.x / RowShape::chunk_cells * RowShape::chunk_entries;
-}
-
 void RowIndex::empty(std::int32_t slot, double mark) {
   PointBlock& block = block_of(slot);
   block.x[slot % PointBlock::width] = nowhere;
   block.best[slot % PointBlock::width] = mark;
 }
 
-void RowIndex::compact(std::int32_t chunk) {
-  std::uint16_t* const entry = &entries_[static_cast<std::size_t>(chunk)];
-  const std::int32_t row_begin =
-      row_begins_[static_cast<std::size_t>(chunk / shape_.row_entries())];
+void RowIndex::compact(int threads) {
+  // Rows of one layer share blocks, layers do not.
+  const auto layers = static_cast<std::size_t>(shape_.slabs * shape_.rows_z);
+  for_tasks(layers, threads, [&](std::size_t layer) {
+    const auto first = static_cast<std::int32_t>(layer) * shape_.rows_y;
+    for (std::int32_t row = first; row < first + shape_.rows_y; ++row) {
+      std::uint16_t* const entries =
+          entries_.data() +
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(shape_.row_entries());
+      for (std::int32_t chunk = 0; chunk < shape_.chunks; ++chunk)
+        compact_chunk(row, entries + chunk * RowShape::chunk_entries);
+    }
+  });
+}
+
+void RowIndex::compact_chunk(std::int32_t row, std::uint16_t* entry) {
+  const std::int32_t row_begin = row_begins_[static_cast<std::size_t>(row)];
   std::int32_t from = row_begin + entry[0];
   std::int32_t to = from;
   for (std::int32_t cell = 0; cell < RowShape::chunk_cells; ++cell) {

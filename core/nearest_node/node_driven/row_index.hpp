@@ -76,22 +76,23 @@ class RowIndex {
   /// Bytes held, all told.
   std::size_t bytes() const;
 
-  /// The chunk a live point is in; its number is that of its first entry.
-  std::int32_t chunk_of(std::int32_t slot) const;
-
-  /// Takes a point out. Its slot stays in its run until the chunk is compacted.
+  /// Takes a point out. Its slot stays in its run until compact().
   void remove(std::int32_t slot) { empty(slot, removed_mark); }
 
-  /// Whether a live point is in the slot, or one that was removed since the last compaction.
+  /// Forgets that there was a point.
+  void settle(std::int32_t slot) { best(slot) = empty_mark; }
+
+  /// Whether a live point is in the slot, or one that was removed and not settled yet.
   bool holds_point(std::int32_t slot) { return best(slot) >= 0.0 || best(slot) == removed_mark; }
 
-  /// Moves the live points of a chunk together. Slots change.
-  void compact(std::int32_t chunk);
+  /// Moves the live points of each chunk together. Slots change.
+  void compact(int threads);
 
  private:
   static constexpr double empty_mark = -1.0;
   static constexpr double removed_mark = -2.0;
   void empty(std::int32_t slot, double mark);
+  void compact_chunk(std::int32_t row, std::uint16_t* entry);
 
   struct Cell {
     std::int32_t row, x;

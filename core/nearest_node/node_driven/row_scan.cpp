@@ -72,7 +72,6 @@ class RowScan {
   void run() {
     result_.hits.clear();
     result_.removed.clear();
-    result_.chunks.clear();
     result_.pairs = result_.blocks = 0;
     for (std::size_t next = 0; next < job_.chosen.size(); next += tile)
       scan_tile(job_.chosen.subspan(next, std::min(tile, job_.chosen.size() - next)));
@@ -362,8 +361,7 @@ class RowScan {
 
   /// Whoever comes next must not find the point again.
   void remove(std::int32_t slot) {
-    result_.removed.push_back(index_.original(slot));
-    result_.chunks.push_back(index_.chunk_of(slot));
+    result_.removed.push_back(slot);
     index_.remove(slot);
   }
 
@@ -397,8 +395,8 @@ void scan_rows(RowIndex& index, const RowStencil& stencil, const ScanJob& job, S
 }
 
 std::size_t ScanResult::bytes() const {
-  return hits.bytes() + removed.capacity() * sizeof(PointIndex) +
-         chunks.capacity() * sizeof(std::int32_t) + candidates.bytes() + promising.bytes();
+  return hits.bytes() + removed.capacity() * sizeof(std::int32_t) + candidates.bytes() +
+         promising.bytes();
 }
 
 }  // namespace phytobench

@@ -19,7 +19,7 @@ class ScanList {
  public:
   /// Room for `count` more. Call it before writing behind end().
   void make_room(std::size_t count) {
-    if (used_ + count > room_.size()) room_.resize(2 * (used_ + count));
+    if (used_ + count > room_.size()) room_.resize(used_ + used_ / 2 + count);
   }
   T* end() { return room_.data() + used_; }
   void set_end(const T* end) { used_ = static_cast<std::size_t>(end - room_.data()); }
@@ -50,10 +50,9 @@ struct PromisingBlock {
 /// once the lists have had their largest size.
 struct ScanResult {
   ScanList<ScanHit> hits;
-  std::vector<PointIndex> removed;   ///< their slots are empty already
-  std::vector<std::int32_t> chunks;  ///< those the removed points were in, with repeats
-  std::uint64_t pairs = 0;           ///< live points in the runs of all nodes; only if counted
-  std::uint64_t blocks = 0;          ///< blocks looked at
+  std::vector<std::int32_t> removed;  ///< slots; empty already
+  std::uint64_t pairs = 0;            ///< live points in the runs of all nodes; only if counted
+  std::uint64_t blocks = 0;           ///< blocks looked at
 
   ScanList<std::int32_t> candidates;  ///< blocks of the runs, node by node
   ScanList<PromisingBlock> promising;

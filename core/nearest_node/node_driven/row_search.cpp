@@ -18,7 +18,7 @@ namespace {
 constexpr double most_points_in_reach = 2048.0;
 
 /// More layers share the work more evenly, but a node that reaches two of them is looked at twice.
-constexpr int layers_per_thread = 8;
+constexpr int layers_per_thread = 4;
 
 /// Whether rows of cells suit the points: a node must not reach most of them, nor coordinates be so
 /// coarse that rounding outweighs the reach.
@@ -52,6 +52,8 @@ bool RowSearch::reset(std::span<const Vector3> points, const EngineSetup& setup)
   setup_ = setup;
   work_ = {};
   scanned_.clear();
+  slots_ = points.size();
+  empty_slots_ = 0;
   associations_ = 0;
   sees_kills_only_ = false;
   BoundingBox box;
@@ -192,15 +194,11 @@ void RowSearch::apply(Layer& layer, std::size_t from, NodeIndex first) {
         {index_.original(hit.slot), first + hit.node - static_cast<NodeIndex>(from), tie});
   }
   layer.result.hits.clear();
-  for (const std::int32_t chunk : layer.result.chunks) index_.compact(chunk);
-  layer.result.chunks.clear();
 }
 
 void RowSearch::remove(std::span<const SearchableNode> killers, double squared_kill,
                        std::vector<PointIndex>& removed) {
-  for_each_layer([&](Layer& layer) {
-    for (const std::int32_t chunk : layer.result.chunks) index_.compact(chunk);
-  });
+  compact_if_worthwhile();  // associate() has used what the last scan noted, or nobody will
   const bool is_last = setup_.associations > 0 && associations_ >= setup_.associations;
   if (is_last) look_as_far_as(std::sqrt(squared_kill));
   scan(killers, squared_kill);
@@ -209,8 +207,22 @@ void RowSearch::remove(std::span<const SearchableNode> killers, double squared_k
   for (const Layer& layer : layers_) {
     work_.kill_evaluations += layer.result.pairs;
     work_.cells_visited += layer.result.blocks;
-    removed.insert(removed.end(), layer.result.removed.begin(), layer.result.removed.end());
+    for (const std::int32_t slot : layer.result.removed) {
+      removed.push_back(index_.original(slot));
+      if (setup_.count_work) index_.settle(slot);
+    }
+    empty_slots_ += layer.result.removed.size();
   }
+}
+
+/// Point by point it would cost as much as the scan itself, and a scan hardly notices an empty
+/// slot.
+void RowSearch::compact_if_worthwhile() {
+  constexpr std::size_t least_share = 4;
+  if (least_share * empty_slots_ <= slots_) return;
+  index_.compact(setup_.threads);
+  slots_ -= empty_slots_;
+  empty_slots_ = 0;
 }
 
 std::size_t RowSearch::bytes() const {

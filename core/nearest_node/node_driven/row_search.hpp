@@ -45,6 +45,7 @@ class RowSearch final : public PointSearch {
   void choose_nodes(Layer& layer, std::span<const SearchableNode> nodes) const;
   void sort_by_brick(Layer& layer, std::span<const SearchableNode> nodes) const;
   void apply(Layer& layer, std::size_t from, NodeIndex first);
+  void compact_if_worthwhile();
   template <class Body>
   void for_each_layer(const Body& body);
 
@@ -55,6 +56,8 @@ class RowSearch final : public PointSearch {
   double bricks_per_length_ = 0.0;
   std::vector<Layer> layers_;
   std::vector<SearchableNode> scanned_;  ///< nodes whose hits are known and not yet used
+  std::size_t slots_ = 0;                ///< in the runs of all cells
+  std::size_t empty_slots_ = 0;          ///< of them
   int associations_ = 0;                 ///< so far
   bool sees_kills_only_ = false;         ///< the stencil does not cover the influence distance
   WorkCounters work_;
