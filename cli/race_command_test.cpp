@@ -114,6 +114,38 @@ TEST_F(RaceCommand, SkipsWhatWouldTakeTooLongAndSaysHowLong) {
   }
 }
 
+// What only comes close is shown beside the race, never in it.
+TEST_F(RaceCommand, KeepsApproximateEnginesInALaneOfTheirOwn) {
+  const std::string common = "nearest-node --points 2000 --options dn --rounds 1 --json --engines ";
+  const json plain = json::parse(race(common + "node_driven").out);
+  EXPECT_TRUE(plain["approximate"].empty());
+  const json document = json::parse(race(common + "node_driven,approximate").out);
+  ASSERT_EQ(document["engines"].size(), 1u);
+  EXPECT_TRUE(document["ratios"].empty()) << "one exact engine has nobody to be compared with";
+  ASSERT_EQ(document["approximate"].size(), 3u);
+  for (const json& engine : document["approximate"]) {
+    EXPECT_EQ(engine["exact"], false);
+    if (!engine["built"]) continue;
+    EXPECT_GT(engine["median_s"], 0.0);
+    EXPECT_GE(engine["tree_difference"], 0.0);
+    EXPECT_LE(engine["tree_difference"], 1.0);
+    EXPECT_LE(engine["wrong_answers"], 1.0);
+  }
+}
+
+TEST_F(RaceCommand, RacesNumbersOfThreadsAgainstEachOther) {
+  const Outcome outcome = race(
+      "nearest-node --points 1500 --engines node_driven --options dn --threads 1,2 --rounds 3 "
+      "--json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json document = json::parse(outcome.out);
+  ASSERT_EQ(document["engines"].size(), 2u);
+  EXPECT_EQ(document["engines"][0]["threads"], 1);
+  EXPECT_EQ(document["engines"][1]["threads"], 2);
+  EXPECT_EQ(document["engines"][0]["tree_hash"], document["engines"][1]["tree_hash"]);
+  EXPECT_EQ(document["ratios"].size(), 1u);
+}
+
 TEST_F(RaceCommand, TakesTheUsersPoints) {
   std::string csv = "name,z,x,y\n";
   for (int i = 0; i < 400; ++i)
