@@ -8,6 +8,7 @@
 
 #include "build_information.hpp"
 #include "reports/document_claims.hpp"
+#include "reports/document_scaling.hpp"
 #include "reports/document_tables.hpp"
 
 namespace phytobench {
@@ -34,6 +35,11 @@ class DocumentBuilder {
     document["attention"] = attention_part();
     document["has_attention"] = !document["attention"].empty();
     for (const JudgedPaper& paper : judged_.papers) document["papers"].push_back(paper_part(paper));
+    document["has_studies"] = judged_.scaling.measured();
+    document["studies"] = ordered_json::array();
+    if (judged_.scaling.measured())
+      document["studies"].push_back(
+          scaling_document(judged_.scaling, sources_.plots, sources_.without_varying));
     document["environment"] = environment_part();
     document["has_environment"] = !document["environment"].empty();
     document["repeat"] = repeat_part();

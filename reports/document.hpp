@@ -15,6 +15,7 @@ struct DocumentSources {
   std::string environment_json;
   std::string run_folder;                       ///< as the user named it, for the repeat commands
   std::map<std::string, std::string> pictures;  ///< artifact name -> SVG text
+  std::map<std::string, std::string> plots;     ///< made for this report: name -> SVG text
   bool without_varying = false;
 };
 

@@ -13,29 +13,16 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string with_thousands(double value) {
-  std::string digits = fmt::format("{:.0f}", value);
-  for (std::size_t place = digits.size(); place > 3;) {
-    place -= 3;
-    digits.insert(place, ",");
-  }
-  return digits;
-}
-
 std::string as_title(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
   name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
   return name;
 }
 
-/// A cell's text and, where it has one, its interval.
-ordered_json cell(const std::string& text, const std::string& interval = "") {
-  return {{"text", text}, {"interval", interval}, {"has_interval", !interval.empty()}};
-}
-
 ordered_json estimate_cell(const Estimate& estimate, int decimals) {
-  return cell(fmt::format("{:.{}f}", estimate.value, decimals),
-              fmt::format("{:.{}f} to {:.{}f}", estimate.low, decimals, estimate.high, decimals));
+  return table_cell(
+      fmt::format("{:.{}f}", estimate.value, decimals),
+      fmt::format("{:.{}f} to {:.{}f}", estimate.low, decimals, estimate.high, decimals));
 }
 
 class TableDocument {
@@ -55,7 +42,7 @@ class TableDocument {
     const bool published = table_.origin == "published";
     add_grid(published ? "Published" : "Derived beforehand",
              published ? "as printed" : "with an independent program", false,
-             [&](auto r, auto c) { return cell(shown(table_.values[r][c])); });
+             [&](auto r, auto c) { return table_cell(shown(table_.values[r][c])); });
     if (visible) add_measured();
     for (const JudgedCompanion& companion : judged_.companions)
       if (!companion.timed || !hide_times_) add_companion(companion);
@@ -66,13 +53,13 @@ class TableDocument {
   void add_measured() {
     if (!judged_.timed) {
       add_grid("Measured", "", false,
-               [&](auto r, auto c) { return cell(shown(judged_.values[r][c].value)); });
+               [&](auto r, auto c) { return table_cell(shown(judged_.values[r][c].value)); });
       return;
     }
     add_grid("Measured", "seconds, median and its 95 % interval", true,
              [&](auto r, auto c) { return estimate_cell(judged_.values[r][c], 4); });
     add_grid("Published, relative", "to the slowest published cell", false, [&](auto r, auto c) {
-      return cell(fmt::format("{:.3f}", judged_.published_share[r][c]));
+      return table_cell(fmt::format("{:.3f}", judged_.published_share[r][c]));
     });
     add_grid("Measured, relative", "to the slowest measured cell, paired by round", true,
              [&](auto r, auto c) { return estimate_cell(judged_.share[r][c], 3); });
@@ -80,19 +67,20 @@ class TableDocument {
     add_grid("Published, per evaluation",
              "nanoseconds: printed seconds over the evaluations counted below", false,
              [&](auto r, auto c) {
-               return cell(fmt::format("{:.0f}", 1e9 * judged_.published_per[r][c]));
+               return table_cell(fmt::format("{:.0f}", 1e9 * judged_.published_per[r][c]));
              });
     add_grid("Measured, per evaluation", "nanoseconds", true, [&](auto r, auto c) {
-      return cell(fmt::format("{:.2f}", 1e9 * judged_.measured_per[r][c]));
+      return table_cell(fmt::format("{:.2f}", 1e9 * judged_.measured_per[r][c]));
     });
   }
 
   void add_companion(const JudgedCompanion& companion) {
-    add_grid(as_title(companion.name), companion.timed ? "median" : "exact count", companion.timed,
-             [&](auto r, auto c) {
-               const double value = companion.values[r][c].value;
-               return cell(companion.timed ? fmt::format("{:.4f}", value) : with_thousands(value));
-             });
+    add_grid(
+        as_title(companion.name), companion.timed ? "median" : "exact count", companion.timed,
+        [&](auto r, auto c) {
+          const double value = companion.values[r][c].value;
+          return table_cell(companion.timed ? fmt::format("{:.4f}", value) : with_thousands(value));
+        });
   }
 
   template <class Cell>
@@ -116,6 +104,19 @@ class TableDocument {
 };
 
 }  // namespace
+
+std::string with_thousands(double value) {
+  std::string digits = fmt::format("{:.0f}", value);
+  for (std::size_t place = digits.size(); place > 3;) {
+    place -= 3;
+    digits.insert(place, ",");
+  }
+  return digits;
+}
+
+ordered_json table_cell(const std::string& text, const std::string& interval) {
+  return {{"text", text}, {"interval", interval}, {"has_interval", !interval.empty()}};
+}
 
 ordered_json table_document(const JudgedTable& judged, bool without_varying) {
   return TableDocument(judged, without_varying).build();

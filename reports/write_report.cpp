@@ -12,6 +12,7 @@
 #include "reports/csv.hpp"
 #include "reports/document.hpp"
 #include "reports/render_template.hpp"
+#include "reports/scaling_plots.hpp"
 
 namespace phytobench {
 
@@ -90,15 +91,19 @@ std::string load_template(const std::string& name) {
 ReportSummary write_report(const ReportRequest& request) {
   check_formats(request.formats);
   const JudgedRun judged = judge_run(read_run(request.run_folder));
+  const auto plots = scaling_plots(judged.scaling, request.without_varying);
   const ordered_json document =
       make_document(judged, {.environment_json = read_environment(request.run_folder),
                              .run_folder = request.run_folder.string(),
                              .pictures = pictures_of(request.run_folder),
+                             .plots = plots,
                              .without_varying = request.without_varying});
   const auto wanted = [&](const char* format) {
     return std::find(request.formats.begin(), request.formats.end(), format) !=
            request.formats.end();
   };
+  for (const auto& [name, svg] : plots)
+    write_file_atomically(request.out_folder / "figures" / (name + ".svg"), svg);
   if (wanted("html"))
     write_file_atomically(
         request.out_folder / "index.html",

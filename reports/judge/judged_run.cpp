@@ -109,7 +109,7 @@ JudgedTable judge_table(const PublishedTable& table, const Evidence& evidence) {
 }
 
 JudgedRun judge_run(RunContents run) {
-  JudgedRun judged{.run = std::move(run), .papers = {}};
+  JudgedRun judged{.run = std::move(run), .papers = {}, .scaling = {}};
   const Evidence evidence(judged.run);
   for (const std::string& key : paper_keys())
     judged.papers.push_back({.paper = load_paper(key),
@@ -124,6 +124,7 @@ JudgedRun judge_run(RunContents run) {
     for (const PublishedTable& table : paper.claims.tables)
       paper.tables.push_back(judge_table(table, evidence));
   }
+  judged.scaling = judge_scaling(load_scaling_study("nearest-node"), judged.run, evidence);
   return judged;
 }
 

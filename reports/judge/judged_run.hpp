@@ -7,6 +7,7 @@
 #include "reference/errata.hpp"
 #include "reference/papers.hpp"
 #include "reports/judge/judge.hpp"
+#include "reports/judge/scaling.hpp"
 
 namespace phytobench {
 
@@ -43,6 +44,7 @@ struct JudgedPaper {
 struct JudgedRun {
   RunContents run;
   std::vector<JudgedPaper> papers;
+  JudgedScaling scaling;
 };
 
 /// Judges all claims of all papers on the evidence of a run.

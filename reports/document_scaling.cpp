@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "reports/document_scaling.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "reports/document_tables.hpp"
+
+namespace phytobench {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string with_unit(double seconds) {
+  if (seconds < 1e-3) return fmt::format("{:.0f} us", 1e6 * seconds);
+  if (seconds < 1.0) return fmt::format("{:.3g} ms", 1e3 * seconds);
+  return fmt::format("{:.3g} s", seconds);
+}
+
+ordered_json no_cell() {
+  return table_cell("-");
+}
+
+const char* name_of(JudgedAim::State state) {
+  switch (state) {
+    case JudgedAim::State::reached:
+      return "aim reached";
+    case JudgedAim::State::must_reached:
+      return "least reached, aim missed";
+    case JudgedAim::State::missed:
+      return "missed";
+    case JudgedAim::State::open:
+      return "open: the interval holds the bound";
+    case JudgedAim::State::not_measured:
+      return "not measured";
+  }
+  return "";
+}
+
+class ScalingDocument {
+ public:
+  ScalingDocument(const JudgedScaling& scaling, bool without_varying)
+      : scaling_(scaling), hide_varying_(without_varying) {}
+
+  ordered_json build(const std::map<std::string, std::string>& pictures) {
+    document_["id"] = scaling_.study.id;
+    document_["title"] = scaling_.study.title;
+    document_["intro"] = scaling_.study.intro;
+    document_["experiment"] = scaling_.study.experiment;
+    document_["pictures"] = ordered_json::array();
+    for (const auto& [name, svg] : pictures)
+      document_["pictures"].push_back(
+          {{"name", name},
+           {"svg", svg},
+           {"varies", name.ends_with("-time")},
+           {"caption", name.ends_with("-time") ? "Time of one growth, with 95 % intervals."
+                                               : "Distance evaluations of one growth."}});
+    document_["grids"] = ordered_json::array();
+    add_laws();
+    add_sizes();
+    add_phases();
+    document_["crossovers"] = hide_varying_ ? ordered_json::array() : crossovers();
+    document_["has_crossovers"] = !document_["crossovers"].empty();
+    document_["aims"] = aims();
+    document_["has_aims"] = !document_["aims"].empty();
+    return document_;
+  }
+
+ private:
+  void add_laws() {
+    const auto law_cell = [](const std::optional<PowerLaw>& law) {
+      if (!law) return no_cell();
+      return table_cell(fmt::format("{:.2f}", law->exponent.value),
+                        fmt::format("{:.2f} to {:.2f}", law->exponent.low, law->exponent.high));
+    };
+    ordered_json work = grid("Exponents of work",
+                             "distance evaluations grow as this power of the "
+                             "number of points; fitted over all sizes, 95 % interval",
+                             false);
+    work["columns"] = {"evaluations"};
+    for (const ScaledEntry& entry : scaling_.entries)
+      add_row(work, entry.name, {law_cell(entry.work_law)});
+    add(std::move(work));
+    if (hide_varying_) return;
+    ordered_json time = grid("Exponents of time",
+                             "seconds grow as this power of the number of "
+                             "points; fitted over all sizes, 95 % interval",
+                             true);
+    time["columns"] = {"seconds"};
+    for (const ScaledEntry& entry : scaling_.entries)
+      add_row(time, entry.name, {law_cell(entry.time_law)});
+    add(std::move(time));
+  }
+
+  void add_sizes() {
+    add_floor();
+    add_by_size("Evaluations over the floor", "1: nothing is looked at that need not be", false,
+                [](const ScaledEntry::AtSize& at) {
+                  if (!at.exact) return table_cell("inexact");
+                  return at.over_floor ? table_cell(fmt::format("{:.3g}", *at.over_floor))
+                                       : no_cell();
+                });
+    if (hide_varying_) return;
+    add_by_size("Time of one growth", "median and its 95 % interval", true,
+                [](const ScaledEntry::AtSize& at) {
+                  if (!at.seconds) return no_cell();
+                  return table_cell(
+                      with_unit(at.seconds->value),
+                      with_unit(at.seconds->low) + " to " + with_unit(at.seconds->high));
+                });
+    add_by_size("Memory", "bytes per attraction point that the engine holds", true,
+                [](const ScaledEntry::AtSize& at) {
+                  return at.bytes_per_point ? table_cell(fmt::format("{:.1f}", *at.bytes_per_point))
+                                            : no_cell();
+                });
+  }
+
+  void add_floor() {
+    ordered_json floor =
+        grid("The floor",
+             "pairs that any exact method must look at: a new node and a live point "
+             "within the influence distance; a removed point and its first killer",
+             false);
+    floor["columns"] = {"nodes", "iterations", "pairs to associate", "pairs to remove",
+                        "pairs per node"};
+    for (const auto& [size, at] : scaling_.sizes)
+      add_row(floor, with_thousands(at.points) + " points",
+              {table_cell(with_thousands(at.nodes)), table_cell(with_thousands(at.iterations)),
+               table_cell(with_thousands(at.association_pairs)),
+               table_cell(with_thousands(at.removal_pairs)),
+               table_cell(fmt::format("{:.2f}", (at.association_pairs + at.removal_pairs) /
+                                                    std::max(at.nodes, 1.0)))});
+    add(std::move(floor));
+  }
+
+  template <class Cell>
+  void add_by_size(const std::string& title, const std::string& note, bool varies,
+                   const Cell& make_cell) {
+    ordered_json by_size = grid(title, note, varies);
+    for (const auto& [size, at] : scaling_.sizes)
+      by_size["columns"].push_back(with_thousands(at.points));
+    for (const ScaledEntry& entry : scaling_.entries) {
+      ordered_json cells = ordered_json::array();
+      for (const auto& [size, ignored] : scaling_.sizes)
+        cells.push_back(entry.at.contains(size) ? make_cell(entry.at.at(size)) : no_cell());
+      add_row(by_size, entry.name, std::move(cells));
+    }
+    add(std::move(by_size));
+  }
+
+  /// Where the time of the engine that goes farthest is spent.
+  void add_phases() {
+    if (hide_varying_ || scaling_.entries.empty()) return;
+    const ScaledEntry& entry = scaling_.entries.front();
+    ordered_json phases = grid("Where " + entry.name + " spends its time",
+                               "nanoseconds per attraction point; medians", true);
+    phases["columns"] = {"build", "association", "removal", "growth", "points per cell visited"};
+    for (const auto& [size, at] : entry.at) {
+      if (at.phase_seconds.empty()) continue;
+      const double points = scaling_.sizes.at(size).points;
+      ordered_json cells = ordered_json::array();
+      for (const char* phase : {"build", "association", "kill", "growth"}) {
+        const auto found = at.phase_seconds.find(phase);
+        cells.push_back(found == at.phase_seconds.end()
+                            ? no_cell()
+                            : table_cell(fmt::format("{:.1f}", 1e9 * found->second / points)));
+      }
+      cells.push_back(at.evaluations && at.cells_visited && *at.cells_visited > 0.0
+                          ? table_cell(fmt::format("{:.2f}", *at.evaluations / *at.cells_visited))
+                          : no_cell());
+      add_row(phases, with_thousands(points) + " points", std::move(cells));
+    }
+    if (phases.contains("rows")) add(std::move(phases));
+  }
+
+  ordered_json crossovers() const {
+    ordered_json lines = ordered_json::array();
+    for (const Crossover& crossover : scaling_.crossovers)
+      lines.push_back(fmt::format("{} overtakes {} between {} and {} points (about {:.2g})",
+                                  crossover.overtaking, crossover.overtaken,
+                                  with_thousands(crossover.low), with_thousands(crossover.high),
+                                  crossover.about));
+    return lines;
+  }
+
+  ordered_json aims() const {
+    ordered_json rows = ordered_json::array();
+    for (const JudgedAim& aim : scaling_.aims) {
+      if (hide_varying_ && aim.varies) continue;
+      const bool measured = aim.state != JudgedAim::State::not_measured;
+      const bool exact = aim.measured.low == aim.measured.high;
+      const bool missed = measured && aim.state != JudgedAim::State::reached;
+      rows.push_back(
+          {{"text", aim.aim.text},
+           {"must", fmt::format("{} {:g}", aim.aim.more_is_better() ? "at least" : "at most",
+                                aim.aim.must)},
+           {"aim", fmt::format("{:g}", aim.aim.aim)},
+           {"measured", measured ? fmt::format("{:.3g}", aim.measured.value) : "-"},
+           {"interval", measured && !exact
+                            ? fmt::format("{:.3g} to {:.3g}", aim.measured.low, aim.measured.high)
+                            : ""},
+           {"state", name_of(aim.state)},
+           {"varies", aim.varies},
+           {"limits", missed ? aim.aim.limits : ""}});
+    }
+    return rows;
+  }
+
+  static ordered_json grid(const std::string& title, const std::string& note, bool varies) {
+    return {{"title", title},
+            {"note", note},
+            {"varies", varies},
+            {"columns", ordered_json::array()},
+            {"rows", ordered_json::array()}};
+  }
+  static void add_row(ordered_json& grid, const std::string& label, ordered_json cells) {
+    grid["rows"].push_back({{"label", label}, {"cells", std::move(cells)}});
+  }
+  void add(ordered_json grid) { document_["grids"].push_back(std::move(grid)); }
+
+  const JudgedScaling& scaling_;
+  bool hide_varying_;
+  ordered_json document_;
+};
+
+}  // namespace
+
+ordered_json scaling_document(const JudgedScaling& scaling,
+                              const std::map<std::string, std::string>& pictures,
+                              bool without_varying) {
+  return ScalingDocument(scaling, without_varying).build(pictures);
+}
+
+}  // namespace phytobench

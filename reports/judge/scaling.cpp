@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "reports/judge/scaling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include <fmt/format.h>
+
+namespace phytobench {
+
+namespace {
+
+/// "25298/voxel_grid.dn/exact" -> 25298 and "voxel_grid.dn"; nothing for other measurements.
+struct Place {
+  double size;
+  std::string entry;
+};
+
+std::optional<Place> place_of(const std::string& measurement, const std::string& experiment) {
+  static const std::string end = "/exact";
+  if (!measurement.starts_with(experiment + "/") || !measurement.ends_with(end))
+    return std::nullopt;
+  const std::string path = measurement.substr(
+      experiment.size() + 1, measurement.size() - experiment.size() - 1 - end.size());
+  const std::size_t slash = path.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  return Place{std::stod(path.substr(0, slash)), path.substr(slash + 1)};
+}
+
+class ScalingJudge {
+ public:
+  ScalingJudge(ScalingStudy study, const RunContents& run, const Evidence& evidence)
+      : evidence_(evidence) {
+    judged_.study = std::move(study);
+    for (const Record& record : run.records)
+      if (const auto place = place_of(record.measurement, judged_.study.experiment)) add(*place);
+  }
+
+  JudgedScaling judge() {
+    for (ScaledEntry& entry : judged_.entries) fit(entry);
+    rank();
+    find_crossovers();
+    for (const Aim& aim : judged_.study.aims) judged_.aims.push_back(judge_aim(aim));
+    return std::move(judged_);
+  }
+
+ private:
+  std::string id(double size, const std::string& rest) const {
+    return fmt::format("{}/{:.0f}/{}", judged_.study.experiment, size, rest);
+  }
+
+  std::optional<double> number(double size, const std::string& rest) const {
+    const std::vector<double> samples = evidence_.samples(id(size, rest));
+    return samples.empty() ? std::nullopt : std::optional(samples.front());
+  }
+
+  void add(const Place& place) {
+    ScaledSize& size = judged_.sizes[place.size];
+    size = {.points = number(place.size, "points").value_or(0.0),
+            .nodes = number(place.size, "nodes").value_or(0.0),
+            .iterations = number(place.size, "iterations").value_or(0.0),
+            .association_pairs = number(place.size, "floor/association_pairs").value_or(0.0),
+            .removal_pairs = number(place.size, "floor/removal_pairs").value_or(0.0)};
+    auto entry = std::find_if(judged_.entries.begin(), judged_.entries.end(),
+                              [&](const ScaledEntry& e) { return e.name == place.entry; });
+    if (entry == judged_.entries.end())
+      entry = judged_.entries.insert(entry, {.name = place.entry, .at = {}});
+    entry->at[place.size] = at_size(place, size);
+  }
+
+  ScaledEntry::AtSize at_size(const Place& place, const ScaledSize& size) const {
+    const auto of = [&](const std::string& quantity) { return place.entry + "/" + quantity; };
+    ScaledEntry::AtSize at;
+    at.exact = number(place.size, of("exact")) == 1.0;
+    at.evaluations = number(place.size, of("evaluations"));
+    at.cells_visited = number(place.size, of("cells_visited"));
+    const double floor = size.association_pairs + size.removal_pairs;
+    if (at.evaluations && floor > 0.0) at.over_floor = *at.evaluations / floor;
+    if (const auto bytes = number(place.size, of("bytes")); bytes && size.points > 0.0)
+      at.bytes_per_point = *bytes / size.points;
+    if (const auto seconds = seconds_of(place); !seconds.empty())
+      at.seconds = median_estimate(seconds);
+    for (const char* phase : {"build", "association", "kill", "growth"}) {
+      const auto samples = evidence_.samples(id(place.size, of(phase + std::string("_seconds"))));
+      if (!samples.empty()) at.phase_seconds[phase] = median_estimate(samples).value;
+    }
+    return at;
+  }
+
+  std::vector<double> seconds_of(const Place& place) const {
+    return evidence_.samples(id(place.size, place.entry + "/seconds"));
+  }
+
+  void fit(ScaledEntry& entry) const {
+    std::vector<double> timed, seconds, counted, evaluations;
+    for (const auto& [size, at] : entry.at) {
+      const double points = judged_.sizes.at(size).points;
+      if (at.seconds) timed.push_back(points), seconds.push_back(at.seconds->value);
+      if (at.evaluations && *at.evaluations > 0.0)
+        counted.push_back(points), evaluations.push_back(*at.evaluations);
+    }
+    entry.time_law = fit_power_law(timed, seconds);
+    entry.work_law = fit_power_law(counted, evaluations);
+  }
+
+  /// Larger sizes first, then less time: an engine that was grown where others were not comes
+  /// first.
+  void rank() {
+    const auto key = [](const ScaledEntry& entry) {
+      const auto& [size, at] = *entry.at.rbegin();
+      const double seconds =
+          at.seconds ? at.seconds->value : std::numeric_limits<double>::infinity();
+      return std::tuple(-size, seconds, entry.name);
+    };
+    std::sort(judged_.entries.begin(), judged_.entries.end(),
+              [&](const ScaledEntry& a, const ScaledEntry& b) { return key(a) < key(b); });
+  }
+
+  /// Time of a over time of b, paired by round.
+  std::optional<Estimate> time_ratio(const std::string& a, const std::string& b,
+                                     double size) const {
+    const auto first = seconds_of({size, a}), second = seconds_of({size, b});
+    if (first.empty() || first.size() != second.size()) return std::nullopt;
+    return paired_ratio_estimate(first, second);
+  }
+
+  void find_crossovers() {
+    for (const ScaledEntry& a : judged_.entries)
+      for (const ScaledEntry& b : judged_.entries)
+        if (&a != &b) find_crossover(a, b);
+  }
+
+  /// From the last size where `a` is certainly faster to the first beyond where `b` certainly is.
+  void find_crossover(const ScaledEntry& a, const ScaledEntry& b) {
+    double last = 0.0, last_ratio = 0.0;
+    for (const auto& [size, at] : a.at) {
+      if (!b.at.contains(size)) continue;
+      const auto ratio = time_ratio(a.name, b.name, size);
+      if (!ratio) continue;
+      if (ratio->high < 1.0) {
+        last = size;
+        last_ratio = ratio->value;
+      } else if (ratio->low > 1.0 && last > 0.0) {
+        const double from = std::log(last), to = std::log(size);
+        const double share =
+            -std::log(last_ratio) / (std::log(ratio->value) - std::log(last_ratio));
+        judged_.crossovers.push_back(
+            {a.name, b.name, last, size, std::exp(from + share * (to - from))});
+        last = 0.0;
+      }
+    }
+  }
+
+  JudgedAim judge_aim(const Aim& aim) const {
+    JudgedAim judged{.aim = aim, .measured = {}};
+    const auto measured = measure(aim);
+    if (!measured) return judged;
+    judged.measured = *measured;
+    judged.varies = aim.kind != Aim::Kind::over_floor;
+    const double sign = aim.more_is_better() ? 1.0 : -1.0;
+    const auto certainly = [&](double bound) {
+      return std::min(sign * measured->low, sign * measured->high) >= sign * bound;
+    };
+    const auto possibly = [&](double bound) {
+      return std::max(sign * measured->low, sign * measured->high) >= sign * bound;
+    };
+    using State = JudgedAim::State;
+    judged.state = certainly(aim.aim)    ? State::reached
+                   : certainly(aim.must) ? State::must_reached
+                   : possibly(aim.must)  ? State::open
+                                         : State::missed;
+    return judged;
+  }
+
+  std::optional<Estimate> measure(const Aim& aim) const {
+    switch (aim.kind) {
+      case Aim::Kind::ratio:
+        return time_ratio(aim.entries.at(0), aim.entries.at(1), aim.sizes.at(0));
+      case Aim::Kind::per_point:
+        return per_point(aim);
+      case Aim::Kind::over_floor:
+        return largest(aim, &ScaledEntry::AtSize::over_floor);
+      case Aim::Kind::bytes_per_point:
+        return largest(aim, &ScaledEntry::AtSize::bytes_per_point);
+    }
+    return std::nullopt;
+  }
+
+  /// Two sizes are not timed in the same rounds; the interval takes the worst of both.
+  std::optional<Estimate> per_point(const Aim& aim) const {
+    const ScaledEntry* entry = find(aim.entries.at(0));
+    const double large = aim.sizes.at(0), small = aim.sizes.at(1);
+    if (entry == nullptr || !entry->at.contains(large) || !entry->at.contains(small))
+      return std::nullopt;
+    const auto &of_large = entry->at.at(large).seconds, &of_small = entry->at.at(small).seconds;
+    if (!of_large || !of_small) return std::nullopt;
+    const double points = judged_.sizes.at(large).points / judged_.sizes.at(small).points;
+    return Estimate{of_large->value / of_small->value / points,
+                    of_large->low / of_small->high / points,
+                    of_large->high / of_small->low / points};
+  }
+
+  std::optional<Estimate> largest(const Aim& aim,
+                                  std::optional<double> ScaledEntry::AtSize::*quantity) const {
+    std::optional<Estimate> most;
+    for (const std::string& name : aim.entries) {
+      const ScaledEntry* entry = find(name);
+      if (entry == nullptr) continue;
+      for (const auto& [size, at] : entry->at)
+        if (const auto& value = at.*quantity; value && (!most || *value > most->value))
+          most = Estimate{*value, *value, *value};
+    }
+    return most;
+  }
+
+  const ScaledEntry* find(const std::string& name) const {
+    for (const ScaledEntry& entry : judged_.entries)
+      if (entry.name == name) return &entry;
+    return nullptr;
+  }
+
+  const Evidence& evidence_;
+  JudgedScaling judged_;
+};
+
+}  // namespace
+
+JudgedScaling judge_scaling(ScalingStudy study, const RunContents& run, const Evidence& evidence) {
+  return ScalingJudge(std::move(study), run, evidence).judge();
+}
+
+}  // namespace phytobench

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// How engines behave over the size of their workload, from the records of a scaling experiment, and
+// how far the suite's own engine is from what it was meant to reach.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/statistics/power_law.hpp"
+#include "reports/judge/evidence.hpp"
+
+namespace phytobench {
+
+/// What an engine must and should reach, written down before it was built.
+struct Aim {
+  enum class Kind {
+    ratio,            ///< time of `entries[0]` over that of `entries[1]`, at sizes[0]
+    per_point,        ///< time per attraction point at sizes[0] over that at sizes[1]
+    over_floor,       ///< distance evaluations over the floor, the largest of all sizes
+    bytes_per_point,  ///< memory, the largest of all sizes
+  };
+  Kind kind = Kind::ratio;
+  std::string text;
+  std::vector<std::string> entries;  ///< "voxel_grid.dn"
+  std::vector<double> sizes;
+  double must = 0.0;
+  double aim = 0.0;
+  std::string limits;  ///< what keeps it from its aim, shown only if it is missed
+
+  bool more_is_better() const { return kind == Kind::ratio; }
+};
+
+/// One scaling experiment and what is asked of it.
+struct ScalingStudy {
+  std::string id;
+  std::string experiment;  ///< "brzoska2019/scaling"
+  std::string title;
+  std::string intro;
+  std::vector<Aim> aims;
+};
+
+/// Reads a study. Throws InputError naming file and key.
+ScalingStudy load_scaling_study(const std::string& id);
+
+struct JudgedAim {
+  enum class State { reached, must_reached, missed, open, not_measured };
+  Aim aim;
+  State state = State::not_measured;  ///< open: the interval holds the bound
+  Estimate measured;
+  bool varies = true;
+};
+
+/// One engine with its loop option (and threads, if more than one) over all sizes.
+struct ScaledEntry {
+  struct AtSize {
+    bool exact = false;
+    std::optional<Estimate> seconds;
+    std::optional<double> evaluations;
+    std::optional<double> cells_visited;
+    std::optional<double> over_floor;
+    std::optional<double> bytes_per_point;
+    std::map<std::string, double> phase_seconds;  ///< medians by "build", "association", ...
+  };
+  std::string name;                  ///< "voxel_grid.dn"
+  std::map<double, AtSize> at;       ///< by nominal size
+  std::optional<PowerLaw> time_law;  ///< from three timed sizes on
+  std::optional<PowerLaw> work_law;
+};
+
+struct ScaledSize {
+  double points = 0.0;
+  double nodes = 0.0;
+  double iterations = 0.0;
+  double association_pairs = 0.0;  ///< floor
+  double removal_pairs = 0.0;      ///< floor
+};
+
+/// `slower` is faster up to `low` points and slower from `high` points on.
+struct Crossover {
+  std::string overtaken;
+  std::string overtaking;
+  double low = 0.0;
+  double high = 0.0;
+  double about = 0.0;  ///< where straight lines between the medians cross, on logarithmic axes
+};
+
+struct JudgedScaling {
+  ScalingStudy study;
+  std::map<double, ScaledSize> sizes;
+  std::vector<ScaledEntry> entries;  ///< fastest at the largest size first, then by name
+  std::vector<Crossover> crossovers;
+  std::vector<JudgedAim> aims;
+
+  bool measured() const { return !sizes.empty(); }
+};
+
+/// Pure: everything comes from the evidence.
+JudgedScaling judge_scaling(ScalingStudy study, const RunContents& run, const Evidence& evidence);
+
+}  // namespace phytobench
