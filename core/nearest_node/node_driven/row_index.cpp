@@ -21,9 +21,9 @@ std::int32_t whole_blocks(std::int32_t slots) {
 }
 
 // Measured on clouds of 1e4 to 1e7 points: thinner rows look at fewer points, but at more rows.
-constexpr double row_edge_per_reach = 0.55;
+constexpr double row_edge_per_reach = 0.52;
 constexpr double cell_per_reach = 0.22;
-constexpr double most_chunks_per_point = 0.7;
+constexpr double most_chunks_per_point = 0.72;
 constexpr std::size_t points_worth_slabs = 200'000;
 constexpr std::int32_t chunks_per_slab = 16;
 
