@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "reports/document_scaling.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -16,6 +19,12 @@ std::string with_unit(double seconds) {
   if (seconds < 1e-3) return fmt::format("{:.0f} us", 1e6 * seconds);
   if (seconds < 1.0) return fmt::format("{:.3g} ms", 1e3 * seconds);
   return fmt::format("{:.3g} s", seconds);
+}
+
+/// Rounded to two significant digits.
+double two_digits(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::round(value / unit) * unit;
 }
 
 ordered_json no_cell() {
@@ -74,23 +83,19 @@ class ScalingDocument {
       return table_cell(fmt::format("{:.2f}", law->exponent.value),
                         fmt::format("{:.2f} to {:.2f}", law->exponent.low, law->exponent.high));
     };
-    ordered_json work = grid("Exponents of work",
-                             "distance evaluations grow as this power of the "
-                             "number of points; fitted over all sizes, 95 % interval",
-                             false);
-    work["columns"] = {"evaluations"};
-    for (const ScaledEntry& entry : scaling_.entries)
-      add_row(work, entry.name, {law_cell(entry.work_law)});
-    add(std::move(work));
-    if (hide_varying_) return;
-    ordered_json time = grid("Exponents of time",
-                             "seconds grow as this power of the number of "
-                             "points; fitted over all sizes, 95 % interval",
-                             true);
-    time["columns"] = {"seconds"};
-    for (const ScaledEntry& entry : scaling_.entries)
-      add_row(time, entry.name, {law_cell(entry.time_law)});
-    add(std::move(time));
+    ordered_json laws = grid("Exponents",
+                             "as which power of the number of points it grows, fitted over all "
+                             "sizes, with its 95 % interval",
+                             !hide_varying_);
+    laws["columns"].push_back("distance evaluations");
+    if (!hide_varying_) laws["columns"].push_back("time");
+    for (const ScaledEntry& entry : scaling_.entries) {
+      if (!entry.work_law) continue;
+      ordered_json cells{law_cell(entry.work_law)};
+      if (!hide_varying_) cells.push_back(law_cell(entry.time_law));
+      add_row(laws, entry.name, std::move(cells));
+    }
+    if (!laws["rows"].empty()) add(std::move(laws));
   }
 
   void add_sizes() {
@@ -177,10 +182,10 @@ class ScalingDocument {
   ordered_json crossovers() const {
     ordered_json lines = ordered_json::array();
     for (const Crossover& crossover : scaling_.crossovers)
-      lines.push_back(fmt::format("{} overtakes {} between {} and {} points (about {:.2g})",
+      lines.push_back(fmt::format("{} overtakes {} between {} and {} points (about {})",
                                   crossover.overtaking, crossover.overtaken,
                                   with_thousands(crossover.low), with_thousands(crossover.high),
-                                  crossover.about));
+                                  with_thousands(two_digits(crossover.about))));
     return lines;
   }
 
