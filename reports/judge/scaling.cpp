@@ -129,7 +129,19 @@ class ScalingJudge {
   void find_crossovers() {
     for (const ScaledEntry& a : judged_.entries)
       for (const ScaledEntry& b : judged_.entries)
-        if (&a != &b) find_crossover(a, b);
+        if (&a != &b && medians_cross(a, b)) find_crossover(a, b);
+  }
+
+  /// Whether it is worth asking for intervals.
+  static bool medians_cross(const ScaledEntry& a, const ScaledEntry& b) {
+    bool a_was_faster = false;
+    for (const auto& [size, at] : a.at) {
+      const auto other = b.at.find(size);
+      if (other == b.at.end() || !at.seconds || !other->second.seconds) continue;
+      if (a_was_faster && at.seconds->value > other->second.seconds->value) return true;
+      a_was_faster |= at.seconds->value < other->second.seconds->value;
+    }
+    return false;
   }
 
   /// From the last size where `a` is certainly faster to the first beyond where `b` certainly is.
