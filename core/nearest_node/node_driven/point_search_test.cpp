@@ -270,6 +270,17 @@ TEST(RowSearchOracle, EqualsAPlainLoopWithEveryInstructionSetAndAnyThreads) {
     }
 }
 
+// Beyond half of the points, the others move together.
+TEST(RowSearchOracle, ScenesLoseEnoughPointsToBeCompacted) {
+  for (const Scene& scene : scenes()) {
+    if (scene.name != "kill_up_to_the_reach" && scene.name != "line") continue;
+    RowSearch search;
+    ASSERT_TRUE(search.reset(scene.points, setup_of(scene, 1)));
+    const Outcome outcome = compare(search, scene, Calls::remove_first);
+    EXPECT_GT(10 * outcome.removals, 7 * scene.points.size()) << scene.name;
+  }
+}
+
 TEST(RowSearchOracle, ScenesHaveSomethingToFindAndToRemove) {
   for (const Scene& scene : scenes()) {
     RowSearch search;

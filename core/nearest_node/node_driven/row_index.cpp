@@ -209,6 +209,10 @@ void RowIndex::compact(int threads) {
 void RowIndex::compact_chunk(std::int32_t row, std::uint16_t* entry) {
   const std::int32_t row_begin = row_begins_[static_cast<std::size_t>(row)];
   std::int32_t from = row_begin + entry[0];
+  const std::int32_t last = row_begin + entry[RowShape::chunk_cells];
+  while (from < last && best(from) >= 0.0) ++from;
+  if (from == last) return;  // nothing has left
+  from = row_begin + entry[0];
   std::int32_t to = from;
   for (std::int32_t cell = 0; cell < RowShape::chunk_cells; ++cell) {
     const std::int32_t end = row_begin + entry[cell + 1];

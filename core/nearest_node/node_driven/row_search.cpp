@@ -218,8 +218,7 @@ void RowSearch::remove(std::span<const SearchableNode> killers, double squared_k
 /// Point by point it would cost as much as the scan itself, and a scan hardly notices an empty
 /// slot.
 void RowSearch::compact_if_worthwhile() {
-  constexpr std::size_t least_share = 4;
-  if (least_share * empty_slots_ <= slots_) return;
+  if (2 * empty_slots_ <= slots_) return;
   index_.compact(setup_.threads);
   slots_ -= empty_slots_;
   empty_slots_ = 0;
