@@ -38,7 +38,7 @@ int report(const ReportOptions& options);
 
 struct GrowOptions {
   std::string config;
-  std::string engine = "voxel_grid";
+  std::string engine = "node_driven";
   std::string option = "dn";
   int threads = 1;
   std::string picture;  ///< SVG file; empty: none

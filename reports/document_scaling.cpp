@@ -205,9 +205,11 @@ class ScalingDocument {
            {"interval", measured && !exact
                             ? fmt::format("{:.3g} to {:.3g}", aim.measured.low, aim.measured.high)
                             : ""},
+           {"has_interval", measured && !exact},
            {"state", name_of(aim.state)},
            {"varies", aim.varies},
-           {"limits", missed ? aim.aim.limits : ""}});
+           {"limits", missed ? aim.aim.limits : ""},
+           {"has_limits", missed && !aim.aim.limits.empty()}});
     }
     return rows;
   }
@@ -215,6 +217,7 @@ class ScalingDocument {
   static ordered_json grid(const std::string& title, const std::string& note, bool varies) {
     return {{"title", title},
             {"note", note},
+            {"has_note", !note.empty()},
             {"varies", varies},
             {"columns", ordered_json::array()},
             {"rows", ordered_json::array()}};

@@ -86,8 +86,11 @@ class TableDocument {
   template <class Cell>
   void add_grid(const std::string& title, const std::string& note, bool varies,
                 const Cell& make_cell) {
-    ordered_json grid{
-        {"title", title}, {"note", note}, {"varies", varies}, {"columns", table_.column_labels}};
+    ordered_json grid{{"title", title},
+                      {"note", note},
+                      {"has_note", !note.empty()},
+                      {"varies", varies},
+                      {"columns", table_.column_labels}};
     for (std::size_t row = 0; row < table_.rows.size(); ++row) {
       ordered_json cells = ordered_json::array();
       for (std::size_t column = 0; column < table_.columns.size(); ++column)

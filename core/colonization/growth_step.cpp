@@ -51,15 +51,16 @@ std::size_t GrowthStep::find_growing(std::span<const Vector3> points, const Assi
                                      const std::vector<SearchableNode>& nodes) {
   associated_.clear();
   assignment.associated.append_to(associated_);
+  find_nodes(assignment);
   attracting_.clear();
   growing_.clear();
   place_.resize(nodes.size(), not_growing);
   last_step_.resize(nodes.size());
   for (std::size_t i = 0; i < associated_.size(); ++i) {
-    const PointIndex soon = associated_[std::min(i + steps_ahead, associated_.size() - 1)];
-    __builtin_prefetch(&assignment.node[static_cast<std::size_t>(soon)]);
+    const NodeIndex soon = node_of_associated_[std::min(i + steps_ahead, associated_.size() - 1)];
+    __builtin_prefetch(&place_[static_cast<std::size_t>(soon)], 1);
     const PointIndex point = associated_[i];
-    const NodeIndex node = assignment.node[static_cast<std::size_t>(point)];
+    const NodeIndex node = node_of_associated_[i];
     if (is_given_up(points[static_cast<std::size_t>(point)], nodes[static_cast<std::size_t>(node)]))
       continue;
     std::int32_t& place = place_[static_cast<std::size_t>(node)];
@@ -75,13 +76,28 @@ std::size_t GrowthStep::find_growing(std::span<const Vector3> points, const Assi
   return attracting_.size();
 }
 
+void GrowthStep::find_nodes(const Assignment& assignment) {
+  node_of_associated_.resize(associated_.size());
+  for_blocks(associated_.size(), threads_, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const PointIndex soon = associated_[std::min(i + steps_ahead, end - 1)];
+      __builtin_prefetch(&assignment.node[static_cast<std::size_t>(soon)]);
+      node_of_associated_[i] = assignment.node[static_cast<std::size_t>(associated_[i])];
+    }
+  });
+}
+
 /// A node gets points only when it is new; later it loses some to newer nodes or to removal. So if
 /// it has as many as at its last step, it has the same, would grow the same child, and that stands
 /// there already.
 void GrowthStep::note_changes() {
   if (parameters_.variant.repeat_guard == RepeatGuard::off) return;
-  for (GrowingNode& growing : growing_)
+  for (std::size_t i = 0; i < growing_.size(); ++i) {
+    const NodeIndex soon = growing_[std::min(i + steps_ahead, growing_.size() - 1)].node;
+    __builtin_prefetch(&last_step_[static_cast<std::size_t>(soon)], 1);
+    GrowingNode& growing = growing_[i];
     growing.changed = growing.points != last_step_[static_cast<std::size_t>(growing.node)].points;
+  }
   std::erase_if(attracting_, [this](const Attracting& attracting) {
     return !growing_[static_cast<std::size_t>(attracting.place)].changed;
   });

@@ -54,6 +54,7 @@ class GrowthStep {
 
   std::size_t find_growing(std::span<const Vector3> points, const Assignment& assignment,
                            const std::vector<SearchableNode>& nodes);
+  void find_nodes(const Assignment& assignment);
   bool is_given_up(const Vector3& point, const SearchableNode& node) const;
   void note_changes();
   void sum_pulls(std::span<const Vector3> points, const std::vector<SearchableNode>& nodes);
@@ -66,13 +67,14 @@ class GrowthStep {
   int threads_;
   DirectionLimit limit_;
   Perception perception_;
-  std::vector<PointIndex> associated_;  // points that have a node, ascending
-  std::vector<Attracting> attracting_;  // those that count; then those of changed nodes
-  std::vector<Vector3> pulls_;          // of the attracting points
-  std::vector<std::int32_t> place_;     // per node its place in growing_, or not_growing
-  std::vector<LastStep> last_step_;     // per node
-  std::vector<GrowingNode> growing_;    // in order of first attraction point
-  std::vector<Child> children_;         // of the growing nodes
+  std::vector<PointIndex> associated_;         // points that have a node, ascending
+  std::vector<NodeIndex> node_of_associated_;  // in the same order
+  std::vector<Attracting> attracting_;         // those that count; then those of changed nodes
+  std::vector<Vector3> pulls_;                 // of the attracting points
+  std::vector<std::int32_t> place_;            // per node its place in growing_, or not_growing
+  std::vector<LastStep> last_step_;            // per node
+  std::vector<GrowingNode> growing_;           // in order of first attraction point
+  std::vector<Child> children_;                // of the growing nodes
 };
 
 }  // namespace phytobench
