@@ -140,7 +140,8 @@ TEST(JudgeScaling, AnInexactEntryIsListedWithoutNumbers) {
 TEST(JudgeScaling, HoldsPhasesAndMemory) {
   MadeUpRun run = two_engines();
   run.sample("1000/fast.dn/bytes", 0, 61000);
-  const auto& at = entry_of(run.judged(), "fast.dn").at.at(1000);
+  const JudgedScaling judged = run.judged();
+  const auto& at = entry_of(judged, "fast.dn").at.at(1000);
   EXPECT_DOUBLE_EQ(at.phase_seconds.at("growth"), 0.5e-3);
   EXPECT_FALSE(at.phase_seconds.contains("kill"));
   EXPECT_DOUBLE_EQ(*at.bytes_per_point, 61.0);
