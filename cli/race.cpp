@@ -178,13 +178,15 @@ std::vector<ApproximateEntry> race_approximate(const RaceOptions& options, const
   };
   const std::size_t points = workload.seedling.attraction_points.size();
   if (!names(approximate_lane) && !(names("all") && points <= most_points_unasked)) return {};
+  std::vector<std::string> loop_options = chosen_options(options.options);
+  if (!names(approximate_lane)) loop_options = {loop_options.back()};  // they take their time
   const auto trusted =
       std::find_if(exact.entries.begin(), exact.entries.end(),
                    [](const RaceEntry& entry) { return entry.state == State::timed; });
   const EngineDescriptor& judge =
       trusted == exact.entries.end() ? engine_named("node_driven") : *trusted->engine;
   return run_approximate_lane(
-      workload, judge, chosen_options(options.options), options.rounds > 0 ? options.rounds : 3,
+      workload, judge, loop_options, options.rounds > 0 ? options.rounds : 3,
       [](const std::string& what) {
         if (is_interrupted()) throw Interrupted();
         show_progress(what);
