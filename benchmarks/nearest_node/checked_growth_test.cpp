@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/nearest_node/checked_growth.hpp"
 
-#include <numbers>
+#include <limits>
 
 #include <gtest/gtest.h>
 
+#include "benchmarks/nearest_node/awkward_seedlings.hpp"
 #include "core/colonization/tree_parameters_file.hpp"
 #include "core/nearest_node/engine_registry.hpp"
-#include "core/random/counter_stream.hpp"
 #include "reference/data_folder.hpp"
 
 namespace phytobench {
@@ -22,71 +22,14 @@ bool is_row_of_table_1(const EngineDescriptor& engine) {
   return engine.source.starts_with("[Brzoska2019]");
 }
 
-/// Points and nodes that meet every engine with what tends to break one.
-struct Workload {
-  const char* name;
-  Seedling seedling;
-};
-
-Seedling seedling_with(std::vector<Vector3> points, double influence, double kill, int iterations) {
-  Seedling seedling;
-  seedling.attraction_points = std::move(points);
-  seedling.growth = {.iterations = iterations,
-                     .step_length = 0.25,
-                     .influence_distance = influence,
-                     .perception_angle_rad = 160.0 * std::numbers::pi / 180.0,
-                     .kill_distance = {.begin = kill, .end = 0.5 * kill}};
-  return seedling;
-}
-
-/// Equal distances everywhere: steps and points share one lattice.
-std::vector<Vector3> lattice(int half_width, double spacing) {
-  std::vector<Vector3> points;
-  for (int x = -half_width; x <= half_width; ++x)
-    for (int y = 1; y <= 2 * half_width; ++y)
-      for (int z = -half_width; z <= half_width; ++z)
-        points.push_back({x * spacing, y * spacing, z * spacing});
-  return points;
-}
-
-std::vector<Vector3> random_cube(std::size_t count, double scale) {
-  CounterStream stream(11, 0);
-  std::vector<Vector3> points;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double x = stream.next_between(-1.0, 1.0);
-    const double y = stream.next_between(0.0, 2.0);
-    const double z = stream.next_between(-1.0, 1.0);
-    points.push_back({scale * x, scale * y, scale * z});
-  }
-  return points;
-}
-
-std::vector<Vector3> repeated(std::vector<Vector3> points) {
-  const std::vector<Vector3> once = points;
-  points.insert(points.end(), once.begin(), once.end());
-  return points;
-}
-
 std::vector<Vector3> flattened(std::vector<Vector3> points, double x, double z) {
   for (Vector3& point : points) point = {x * point.x, point.y, z * point.z};
   return points;
 }
 
-/// A start with several nodes, so that nearest nodes are contested from the first iteration on.
-Seedling with_crown_stem(Seedling seedling) {
-  for (std::int32_t i = 0; i < 6; ++i) seedling.skeleton.append(i, {0.0, 0.25 * (i + 1), 0.0});
-  return seedling;
-}
-
-Seedling scaled_growth(double scale) {
-  Seedling seedling = seedling_with(random_cube(400, scale), 0.6 * scale, 0.3 * scale, 12);
-  seedling.growth.step_length = 0.25 * scale;
-  return seedling;
-}
-
-std::vector<Workload> workloads() {
+std::vector<NamedSeedling> workloads() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::vector<Workload> all;
+  std::vector<NamedSeedling> all;
   all.push_back({"random", with_crown_stem(seedling_with(random_cube(900, 1.0), 0.5, 0.3, 15))});
   all.push_back({"lattice", with_crown_stem(seedling_with(lattice(4, 0.25), 0.5, 0.25, 10))});
   all.push_back({"duplicates", seedling_with(repeated(random_cube(200, 1.0)), 0.6, 0.3, 12)});
@@ -101,8 +44,8 @@ std::vector<Workload> workloads() {
   return all;
 }
 
-TEST(EveryEngineOracle, AgreesOnEveryWorkloadWithEveryOptionAndThreadCount) {
-  for (const Workload& workload : workloads()) {
+TEST(EveryEngineOracle, AgreesOnEveryNamedSeedlingWithEveryOptionAndThreadCount) {
+  for (const NamedSeedling& workload : workloads()) {
     const GrowthOracle oracle(workload.seedling);
     for (const EngineDescriptor* engine : all_engines()) {
       if (!engine->built() || is_wrong_on_purpose(*engine)) continue;
@@ -119,8 +62,8 @@ TEST(EveryEngineOracle, AgreesOnEveryWorkloadWithEveryOptionAndThreadCount) {
   }
 }
 
-TEST(EveryEngineOracle, WorkloadsReallyGrowAndContestNodes) {
-  for (const Workload& workload : workloads()) {
+TEST(EveryEngineOracle, NamedSeedlingsReallyGrowAndContestNodes) {
+  for (const NamedSeedling& workload : workloads()) {
     const std::string name = workload.name;
     const bool grows = name != "no_point" && name != "tiny_influence";
     const GrowthOracle oracle(workload.seedling);
@@ -137,7 +80,7 @@ TEST(WrongEngine, IsRefusedBeforeItCanBeTimed) {
     if (!is_wrong_on_purpose(*engine)) continue;
     ++wrong_engines;
     bool refused = false;
-    for (const Workload& workload : workloads()) {
+    for (const NamedSeedling& workload : workloads()) {
       const GrowthOracle oracle(workload.seedling);
       const CheckedGrowth checked = grow_checked(*engine, workload.seedling, oracle, {});
       EXPECT_EQ(checked.verified.has_value(), checked.disagreement.empty());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/nearest_node/growth_judge.hpp"
+#include "benchmarks/nearest_node/awkward_seedlings.hpp"
 
 #include <limits>
 #include <numbers>
@@ -24,50 +25,6 @@ constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 bool is_wrong_on_purpose(const EngineDescriptor& engine) {
   return engine.summary.starts_with("Wrong on purpose");
 }
-
-Seedling seedling_with(std::vector<Vector3> points, double influence, double kill, int iterations) {
-  Seedling seedling;
-  seedling.attraction_points = std::move(points);
-  seedling.growth = {.iterations = iterations,
-                     .step_length = 0.25,
-                     .influence_distance = influence,
-                     .perception_angle_rad = 160.0 * std::numbers::pi / 180.0,
-                     .kill_distance = {.begin = kill, .end = 0.5 * kill}};
-  return seedling;
-}
-
-/// Equal distances everywhere: steps and points share one lattice.
-std::vector<Vector3> lattice(int half_width, double spacing) {
-  std::vector<Vector3> points;
-  for (int x = -half_width; x <= half_width; ++x)
-    for (int y = 1; y <= 2 * half_width; ++y)
-      for (int z = -half_width; z <= half_width; ++z)
-        points.push_back({x * spacing, y * spacing, z * spacing});
-  return points;
-}
-
-std::vector<Vector3> random_cube(std::size_t count) {
-  CounterStream stream(61, 0);
-  std::vector<Vector3> points;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double x = stream.next_between(-1.0, 1.0);
-    const double y = stream.next_between(0.0, 2.0);
-    const double z = stream.next_between(-1.0, 1.0);
-    points.push_back({x, y, z});
-  }
-  return points;
-}
-
-/// A start with several nodes, so that nearest nodes are contested from the first iteration on.
-Seedling with_crown_stem(Seedling seedling) {
-  for (std::int32_t i = 0; i < 6; ++i) seedling.skeleton.append(i, {0.0, 0.25 * (i + 1), 0.0});
-  return seedling;
-}
-
-struct NamedSeedling {
-  const char* name;
-  Seedling seedling;
-};
 
 std::vector<NamedSeedling> seedlings() {
   std::vector<NamedSeedling> all;
