@@ -87,7 +87,7 @@ TEST(GrowthTrace, HoldsTheCallsOfTheGrowthLoop) {
                 seedling.growth.kill_distance.at(iteration, seedling.growth.iterations));
   }
   // Every node is handed over once, but those of the last iteration.
-  const std::vector<Vector3>& nodes = grown.skeleton.positions();
+  const auto& nodes = grown.skeleton.positions();
   const auto root = nodes.begin() + seedling.crown_root;
   const auto last = nodes.end() - static_cast<std::ptrdiff_t>(grown.passes.back().new_nodes);
   EXPECT_EQ(handed_to_association(trace), std::vector<Vector3>(root, last));

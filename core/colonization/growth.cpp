@@ -27,6 +27,10 @@ class PhaseTimer {
   Clock::time_point start_;
 };
 
+LargeVector<SearchableNode> as_large(const std::vector<SearchableNode>& nodes) {
+  return {nodes.begin(), nodes.end()};
+}
+
 class GrowthLoop {
  public:
   GrowthLoop(const Seedling& seedling, NearestNodeEngine& engine, const GrowthRun& run)
@@ -34,8 +38,9 @@ class GrowthLoop {
         engine_(engine),
         run_(run),
         step_(seedling.growth, run.threads),
-        nodes_(start_nodes(seedling)) {
+        nodes_(as_large(start_nodes(seedling))) {
     result_.skeleton = seedling.skeleton;
+    reserve(seedling.attraction_points.size());
   }
 
   GrowthResult run() {
@@ -50,6 +55,14 @@ class GrowthLoop {
   }
 
  private:
+  /// Trees rarely have more nodes than attraction points, and pages that nobody touches cost
+  /// nothing; copying and clearing memory as lists double costs more than growth itself.
+  void reserve(std::size_t node_count) {
+    nodes_.reserve(node_count);
+    result_.skeleton.reserve(node_count);
+    step_.reserve(node_count);
+  }
+
   EngineSetup engine_setup() const {
     const GrowthParameters& growth = seedling_.growth;
     const bool angle_in_search = growth.variant.perception_test == PerceptionTest::during_search;
@@ -155,7 +168,7 @@ class GrowthLoop {
   NearestNodeEngine& engine_;
   const GrowthRun& run_;
   GrowthStep step_;
-  std::vector<SearchableNode> nodes_;
+  LargeVector<SearchableNode> nodes_;
   std::vector<SearchableNode> first_killers_;
   std::size_t known_to_engine_ = 0;  // nodes handed to associate() so far
   GrowthResult result_;

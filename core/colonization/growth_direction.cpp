@@ -23,12 +23,6 @@ Vector3 any_perpendicular(const Vector3& v) {
 
 }  // namespace
 
-Vector3 attraction(const Vector3& node, const Vector3& point, AttractionSum kind) {
-  const Vector3 offset = point - node;
-  if (kind == AttractionSum::raw_vectors) return offset;
-  return normalised(offset).value_or(Vector3{});
-}
-
 std::optional<Vector3> growth_direction(const Vector3& sum, const Vector3& tropism,
                                         TropismOrder order) {
   if (order == TropismOrder::before_normalising) return normalised(sum + tropism);

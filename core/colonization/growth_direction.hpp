@@ -8,8 +8,13 @@
 namespace phytobench {
 
 /// What one attraction point adds to its node's sum. A point exactly at the node adds nothing: eq.
-/// 9 would divide by zero.
-Vector3 attraction(const Vector3& node, const Vector3& point, AttractionSum kind);
+/// 9 would divide by zero. Here, not in the source file, because growth calls it for every point.
+inline Vector3 attraction(const Vector3& node, const Vector3& point, AttractionSum kind) {
+  const Vector3 offset = point - node;
+  if (kind == AttractionSum::raw_vectors) return offset;
+  const double length = norm(offset);
+  return length > 0.0 ? offset / length : Vector3{};
+}
 
 /// Direction (unit length) from a node's attraction sum and the weighted tropism ([Brzoska2019] eq.
 /// 9 and 10). Empty where a sum that is to be normalised is zero, which the thesis leaves open: no

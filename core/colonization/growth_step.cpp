@@ -22,8 +22,13 @@ GrowthStep::GrowthStep(const GrowthParameters& parameters, int threads)
       limit_(0.5 * parameters.perception_angle_rad),
       perception_(parameters.influence_distance, 0.5 * parameters.perception_angle_rad) {}
 
+void GrowthStep::reserve(std::size_t node_count) {
+  place_.reserve(node_count);
+  last_step_.reserve(node_count);
+}
+
 GrowthStep::Counts GrowthStep::grow(std::span<const Vector3> points, const Assignment& assignment,
-                                    std::int32_t first, std::vector<SearchableNode>& nodes,
+                                    std::int32_t first, LargeVector<SearchableNode>& nodes,
                                     Skeleton& skeleton) {
   Counts counts{.associated_points = find_growing(points, assignment, nodes)};
   note_changes();
@@ -48,7 +53,7 @@ bool GrowthStep::is_given_up(const Vector3& point, const SearchableNode& node) c
 
 /// Lists the nodes with points in the order of their lowest point. Returns the number of points.
 std::size_t GrowthStep::find_growing(std::span<const Vector3> points, const Assignment& assignment,
-                                     const std::vector<SearchableNode>& nodes) {
+                                     std::span<const SearchableNode> nodes) {
   associated_.clear();
   assignment.associated.append_to(associated_);
   find_nodes(assignment);
@@ -103,8 +108,7 @@ void GrowthStep::note_changes() {
   });
 }
 
-void GrowthStep::sum_pulls(std::span<const Vector3> points,
-                           const std::vector<SearchableNode>& nodes) {
+void GrowthStep::sum_pulls(std::span<const Vector3> points, std::span<const SearchableNode> nodes) {
   const AttractionSum kind = parameters_.variant.attraction_sum;
   pulls_.resize(attracting_.size());
   for_blocks(attracting_.size(), threads_, [&](std::size_t begin, std::size_t end) {
@@ -124,7 +128,7 @@ void GrowthStep::sum_pulls(std::span<const Vector3> points,
   }
 }
 
-void GrowthStep::find_children(std::int32_t first, const std::vector<SearchableNode>& nodes,
+void GrowthStep::find_children(std::int32_t first, std::span<const SearchableNode> nodes,
                                const Skeleton& skeleton) {
   children_.resize(growing_.size());
   for_blocks(growing_.size(), threads_, [&](std::size_t begin, std::size_t end) {
@@ -140,7 +144,7 @@ void GrowthStep::find_children(std::int32_t first, const std::vector<SearchableN
 }
 
 GrowthStep::Child GrowthStep::child_of(const GrowingNode& parent, std::int32_t first,
-                                       const std::vector<SearchableNode>& nodes,
+                                       std::span<const SearchableNode> nodes,
                                        const Skeleton& skeleton) const {
   if (!parent.changed) {
     const Fate last = last_step_[static_cast<std::size_t>(parent.node)].fate;

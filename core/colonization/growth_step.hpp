@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/colonization/growth_direction.hpp"
+#include "core/memory/large_array.hpp"
 #include "core/nearest_node/perception.hpp"
 #include "core/tree/skeleton.hpp"
 
@@ -23,10 +24,13 @@ class GrowthStep {
 
   explicit GrowthStep(const GrowthParameters& parameters, int threads = 1);
 
+  /// Makes room for what is kept of so many nodes.
+  void reserve(std::size_t node_count);
+
   /// Appends the children to `skeleton` and to `nodes`; node i of `nodes` is skeleton node first +
   /// i.
   Counts grow(std::span<const Vector3> points, const Assignment& assignment, std::int32_t first,
-              std::vector<SearchableNode>& nodes, Skeleton& skeleton);
+              LargeVector<SearchableNode>& nodes, Skeleton& skeleton);
 
  private:
   /// An associated point and the place of its node among the growing ones.
@@ -53,15 +57,15 @@ class GrowthStep {
   };
 
   std::size_t find_growing(std::span<const Vector3> points, const Assignment& assignment,
-                           const std::vector<SearchableNode>& nodes);
+                           std::span<const SearchableNode> nodes);
   void find_nodes(const Assignment& assignment);
   bool is_given_up(const Vector3& point, const SearchableNode& node) const;
   void note_changes();
-  void sum_pulls(std::span<const Vector3> points, const std::vector<SearchableNode>& nodes);
-  void find_children(std::int32_t first, const std::vector<SearchableNode>& nodes,
+  void sum_pulls(std::span<const Vector3> points, std::span<const SearchableNode> nodes);
+  void find_children(std::int32_t first, std::span<const SearchableNode> nodes,
                      const Skeleton& skeleton);
   Child child_of(const GrowingNode& parent, std::int32_t first,
-                 const std::vector<SearchableNode>& nodes, const Skeleton& skeleton) const;
+                 std::span<const SearchableNode> nodes, const Skeleton& skeleton) const;
 
   GrowthParameters parameters_;
   int threads_;
@@ -71,8 +75,8 @@ class GrowthStep {
   std::vector<NodeIndex> node_of_associated_;  // in the same order
   std::vector<Attracting> attracting_;         // those that count; then those of changed nodes
   std::vector<Vector3> pulls_;                 // of the attracting points
-  std::vector<std::int32_t> place_;            // per node its place in growing_, or not_growing
-  std::vector<LastStep> last_step_;            // per node
+  LargeVector<std::int32_t> place_;            // per node its place in growing_, or not_growing
+  LargeVector<LastStep> last_step_;            // per node
   std::vector<GrowingNode> growing_;           // in order of first attraction point
   std::vector<Child> children_;                // of the growing nodes
 };

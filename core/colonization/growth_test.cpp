@@ -382,7 +382,7 @@ Seedling bare_seedling() {
 }
 
 TEST(GrowthLaw, MirroredPointsGrowTheMirroredTree) {
-  const auto mirrored = [](std::vector<Vector3> points) {
+  const auto mirrored = [](auto points) {
     for (Vector3& point : points) point.x = -point.x;
     return points;
   };
@@ -396,7 +396,7 @@ TEST(GrowthLaw, MirroredPointsGrowTheMirroredTree) {
 }
 
 TEST(GrowthLaw, DoubledLengthsGrowTheDoubledTree) {
-  const auto doubled = [](std::vector<Vector3> points) {
+  const auto doubled = [](auto points) {
     for (Vector3& point : points) point = 2.0 * point;
     return points;
   };

@@ -8,6 +8,7 @@
 #include <new>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace phytobench {
 
@@ -15,6 +16,30 @@ namespace phytobench {
 /// system has them: random access to hundreds of megabytes in small pages is bound by address
 /// translation. Throws std::bad_alloc. Free with std::free.
 void* allocate_large(std::size_t bytes);
+
+/// allocate_large() for containers of the standard library.
+template <class T>
+struct LargeAllocator {
+  using value_type = T;
+
+  LargeAllocator() = default;
+  template <class Other>
+  LargeAllocator(const LargeAllocator<Other>&) {}
+
+  T* allocate(std::size_t count) {
+    if (count > std::numeric_limits<std::size_t>::max() / sizeof(T))
+      throw std::bad_array_new_length();
+    return static_cast<T*>(allocate_large(count * sizeof(T)));
+  }
+  void deallocate(T* memory, std::size_t) { std::free(memory); }
+
+  friend bool operator==(const LargeAllocator&, const LargeAllocator&) = default;
+};
+
+/// A vector that may grow to hundreds of megabytes: in huge pages it costs a fraction of the page
+/// faults.
+template <class T>
+using LargeVector = std::vector<T, LargeAllocator<T>>;
 
 /// Memory for plain data that is written before it is read: not initialised. Keeps its memory when
 /// asked for less.

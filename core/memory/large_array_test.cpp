@@ -136,5 +136,20 @@ TEST(LargeArray, MovesButIsNotCopied) {
   EXPECT_EQ(moved[99], 99);
 }
 
+TEST(LargeVector, KeepsItsElementsAsItGrowsIntoHugePages) {
+  LargeVector<std::int64_t> numbers;
+  constexpr std::int64_t count = 1'000'000;  // 8 MB
+  for (std::int64_t i = 0; i < count; ++i) numbers.push_back(i * i);
+  for (std::int64_t i = 0; i < count; ++i) ASSERT_EQ(numbers[static_cast<std::size_t>(i)], i * i);
+  const LargeVector<std::int64_t> copy = numbers;
+  EXPECT_EQ(copy, numbers);
+}
+
+TEST(LargeVector, RefusesWhatNoMemoryHolds) {
+  LargeAllocator<std::int64_t> allocator;
+  const auto too_many = std::numeric_limits<std::size_t>::max() / sizeof(std::int64_t) + 1;
+  EXPECT_THROW(allocator.allocate(too_many), std::bad_array_new_length);
+}
+
 }  // namespace
 }  // namespace phytobench

@@ -26,6 +26,13 @@ std::int32_t Skeleton::append(std::int32_t parent, const Vector3& position) {
   return index;
 }
 
+void Skeleton::reserve(std::size_t node_count) {
+  positions_.reserve(node_count);
+  parents_.reserve(node_count);
+  newest_child_.reserve(node_count);
+  older_sibling_.reserve(node_count);
+}
+
 bool Skeleton::has_child_at(std::int32_t parent, const Vector3& position) const {
   for (std::int32_t child = newest_child_[static_cast<std::size_t>(parent)]; child >= 0;
        child = older_sibling_[static_cast<std::size_t>(child)])

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "core/geometry/vector3.hpp"
+#include "core/memory/large_array.hpp"
 
 namespace phytobench {
 
@@ -21,10 +21,13 @@ class Skeleton {
   /// root).
   std::int32_t append(std::int32_t parent, const Vector3& position);
 
+  /// Makes room for so many nodes: address space, and memory only where nodes come to lie.
+  void reserve(std::size_t node_count);
+
   std::size_t node_count() const { return positions_.size(); }
   std::size_t edge_count() const { return positions_.size() - 1; }
-  const std::vector<Vector3>& positions() const { return positions_; }
-  const std::vector<std::int32_t>& parents() const { return parents_; }
+  const LargeVector<Vector3>& positions() const { return positions_; }
+  const LargeVector<std::int32_t>& parents() const { return parents_; }
   const Vector3& position(std::int32_t node) const {
     return positions_[static_cast<std::size_t>(node)];
   }
@@ -38,10 +41,10 @@ class Skeleton {
   }
 
  private:
-  std::vector<Vector3> positions_;
-  std::vector<std::int32_t> parents_;
-  std::vector<std::int32_t> newest_child_;   // per node, or -1
-  std::vector<std::int32_t> older_sibling_;  // per node, or -1
+  LargeVector<Vector3> positions_;
+  LargeVector<std::int32_t> parents_;
+  LargeVector<std::int32_t> newest_child_;   // per node, or -1
+  LargeVector<std::int32_t> older_sibling_;  // per node, or -1
 };
 
 /// Nodes without children; the root alone counts as none.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/contract/errors.hpp"
@@ -50,7 +51,7 @@ TEST(Skeleton, AppendReturnsTheNewIndex) {
   EXPECT_EQ(skeleton.append(0, {0, 2, 0}), 2);
   EXPECT_EQ(skeleton.append(2, {0, 3, 0}), 3);
   EXPECT_EQ(skeleton.node_count(), 4u);
-  EXPECT_EQ(skeleton.parents(), (std::vector<std::int32_t>{Skeleton::no_parent, 0, 0, 2}));
+  EXPECT_THAT(skeleton.parents(), testing::ElementsAre(Skeleton::no_parent, 0, 0, 2));
   EXPECT_EQ(skeleton.position(3), (Vector3{0, 3, 0}));
 }
 
