@@ -12,6 +12,7 @@
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
 #include "core/contract/suggestion.hpp"
+#include "core/memory/keep_freed_memory.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 #include "core/record/environment.hpp"
 #include "core/statistics/order_statistics.hpp"
@@ -276,6 +277,7 @@ std::string table(const Workload& workload, const RaceResult& result) {
 }  // namespace
 
 int race(const RaceOptions& options) {
+  keep_freed_memory();
   if (options.what != "nearest-node")
     throw InputError("cannot race '" + options.what + "'" +
                      did_you_mean(options.what, std::vector<std::string>{"nearest-node"}) +

@@ -4,6 +4,7 @@
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
+#include "core/memory/keep_freed_memory.hpp"
 #include "experiments/experiment_registry.hpp"
 #include "experiments/run_experiments.hpp"
 
@@ -22,6 +23,7 @@ void print_plan(const std::vector<const ExperimentDescriptor*>& experiments, Tie
 }  // namespace
 
 int run(const RunOptions& options) {
+  keep_freed_memory();
   const Tier tier = tier_named(options.tier);
   const auto experiments = selected_experiments(options.experiments);
   if (options.dry_run) {

@@ -9,6 +9,7 @@
 
 #include "benchmarks/nearest_node/checked_growth.hpp"
 #include "benchmarks/nearest_node/workload.hpp"
+#include "core/memory/keep_freed_memory.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 
 namespace phytobench {
@@ -68,6 +69,7 @@ void register_all() {
 }  // namespace phytobench
 
 int main(int argc, char** argv) {
+  phytobench::keep_freed_memory();
   phytobench::register_all();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
