@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/geometry/rotation.hpp"
+
 namespace phytobench {
 
 namespace {
@@ -12,13 +14,6 @@ std::optional<Vector3> normalised(const Vector3& v) {
   const double length = norm(v);
   if (!(length > 0.0)) return std::nullopt;
   return v / length;
-}
-
-/// Some unit vector at right angles to `v`, for the one case in which no plane is given.
-Vector3 any_perpendicular(const Vector3& v) {
-  const Vector3 other = std::abs(v.x) < 0.9 ? Vector3{1.0, 0.0, 0.0} : Vector3{0.0, 0.0, 1.0};
-  const Vector3 across = cross(v, other);
-  return across / norm(across);
 }
 
 }  // namespace

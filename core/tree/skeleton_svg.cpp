@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/geometry/bounding_box.hpp"
+#include "core/tree/branches.hpp"
 
 namespace phytobench {
 
@@ -18,16 +19,6 @@ constexpr double height_units =
 constexpr double pipe_exponent = 1.9;
 constexpr double tip_width = 1.0;
 constexpr double widest = 14.0;
-
-/// Tips above each node (a tip counts itself).
-std::vector<int> tips_above(const Skeleton& skeleton) {
-  std::vector<int> tips(skeleton.node_count(), 0);
-  for (std::size_t i = skeleton.node_count(); i-- > 1;) {
-    tips[i] = std::max(tips[i], 1);
-    tips[static_cast<std::size_t>(skeleton.parents()[i])] += tips[i];
-  }
-  return tips;
-}
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -51,7 +42,7 @@ std::string skeleton_svg(const Skeleton& skeleton, const std::string& title) {
   const auto column = [&](const Vector3& p) { return std::lround((p.x - box.low().x) * scale); };
   const auto row = [&](const Vector3& p) { return std::lround((box.high().y - p.y) * scale); };
 
-  const std::vector<int> tips = tips_above(skeleton);
+  const std::vector<std::int32_t> tips = tips_above(skeleton);
   std::map<int, std::string, std::greater<>> paths;
   for (std::size_t i = 1; i < skeleton.node_count(); ++i) {
     const Vector3& from = skeleton.position(skeleton.parents()[i]);

@@ -124,4 +124,57 @@ inline double equation_23(Point p, Point q) {
   return std::sqrt(equation_24(p, q));
 }
 
+// Eq. 1: a point of the unit circle.
+inline Point equation_1(double alpha_rad) {
+  return {std::cos(alpha_rad), 0, std::sin(alpha_rad)};
+}
+
+// Eq. 2: corner i of w.
+inline Point equation_2(int i, int w) {
+  return equation_1(static_cast<double>(i) / w * 360 * std::numbers::pi / 180);
+}
+
+// Rotation of p about the unit vector k by beta (Rodrigues).
+inline Point rotated(Point p, Point k, double beta_rad) {
+  double c = std::cos(beta_rad), s = std::sin(beta_rad);
+  return plus(plus(times(c, p), times(s, vector_product(k, p))),
+              times((1 - c) * scalar_product(k, p), k));
+}
+
+// Eq. 3 as printed: about s = u x n by the angle between u and n. 0/0 for n = u and n = -u, which
+// the thesis does not mention.
+inline Point equation_3_as_printed(Point p, Point n) {
+  Point u{0, 1, 0};
+  Point s = vector_product(u, n);
+  double beta = std::acos(scalar_product(u, n) / (length(u) * length(n)));
+  return rotated(p, over(s, length(s)), beta);
+}
+
+// Eq. 3 with the missing cases: nothing to turn, or half a turn about any horizontal axis.
+inline Point equation_3_corrected(Point p, Point n) {
+  Point u{0, 1, 0};
+  if (length(vector_product(u, n)) > 0) return equation_3_as_printed(p, n);
+  return n.y > 0 ? p : rotated(p, {0, 0, 1}, std::numbers::pi);
+}
+
+// Sec. 2.2, steps 1 to 4: corner i of a ring about K.
+inline Point ring_corner(Point K, double r, Point n, int i, int w) {
+  return plus(times(r, equation_3_corrected(equation_2(i, w), n)), K);
+}
+
+// Eq. 11 and 12.
+inline double equation_11(double r1, double r2, double n) {
+  return std::pow(std::pow(r1, n) + std::pow(r2, n), 1 / n);
+}
+inline double equation_12(const std::vector<double>& r, double n) {
+  double sum = 0;
+  for (double r_i : r) sum += std::pow(r_i, n);
+  return std::pow(sum, 1 / n);
+}
+
+// Eq. 13, in degrees.
+inline double equation_13(double theta_deg, double lambda) {
+  return lambda * (1 - theta_deg / 180) * theta_deg;
+}
+
 }  // namespace phytobench::oracles::brzoska2019
