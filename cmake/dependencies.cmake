@@ -33,6 +33,12 @@ endfunction()
 
 phytobench_header_library(random123 Random123/philox.h)
 phytobench_header_library(mustache kainjow/mustache.hpp)
+phytobench_header_library(stb stb/stb_image_write.h)
+
+# Pictures of meshes. Where it is missing, asking for one says so.
+find_package(embree 3.13 QUIET)
+# Reads exported files back in tests, which are left out where it is missing.
+find_package(assimp 5.2 QUIET)
 
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

@@ -1,10 +1,13 @@
 include(GoogleTest)
 
 # One test program per layer from every *_test.cpp below the folder. The suite's name gives the label: *Law,
-# *Oracle, *Slow, *Tidy; all others are unit tests.
+# *Oracle, *Slow, *Tidy; all others are unit tests. WITHOUT names what a missing library leaves out.
 function(phytobench_tests NAME)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;WITHOUT" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *_test.cpp)
+  foreach(pattern IN LISTS ARG_WITHOUT)
+    list(FILTER sources EXCLUDE REGEX "${pattern}")
+  endforeach()
   if(NOT sources)
     message(FATAL_ERROR "${NAME}: no *_test.cpp in ${CMAKE_CURRENT_SOURCE_DIR}")
   endif()

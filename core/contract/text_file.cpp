@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <utility>
 
 #include "core/contract/errors.hpp"
 
@@ -61,22 +62,62 @@ void make_folder(const fs::path& folder) {
                            (error ? error.message() : "a file of that name exists"));
 }
 
+namespace {
+
+/// A file under a temporary name beside its own, which goes away unless it is renamed.
+class TemporaryFile {
+ public:
+  TemporaryFile(const fs::path& file, std::string_view content) : file_(file), temporary_(file) {
+    make_folder(file.parent_path());
+    temporary_ += ".part" + std::to_string(::getpid());
+    const std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(temporary_.c_str(), "wb"));
+    if (!stream) fail_writing(file, errno);
+    const bool written =
+        std::fwrite(content.data(), 1, content.size(), stream.get()) == content.size() &&
+        std::fflush(stream.get()) == 0 && ::fsync(::fileno(stream.get())) == 0;
+    if (written) return;
+    const int reason = errno;
+    discard();
+    fail_writing(file, reason);
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  TemporaryFile(TemporaryFile&& other) noexcept { *this = std::move(other); }
+  TemporaryFile& operator=(TemporaryFile&& other) noexcept {
+    std::swap(file_, other.file_);
+    std::swap(temporary_, other.temporary_);
+    return *this;
+  }
+  ~TemporaryFile() { discard(); }
+
+  void rename() {
+    std::error_code error;
+    if (fs::is_directory(file_, error)) fail_writing(file_, EISDIR);
+    fs::rename(temporary_, file_, error);
+    if (error) fail_writing(file_, error.value());
+    temporary_.clear();
+  }
+
+ private:
+  void discard() noexcept {
+    std::error_code ignored;
+    if (!temporary_.empty()) fs::remove(temporary_, ignored);
+  }
+
+  fs::path file_;
+  fs::path temporary_;
+};
+
+}  // namespace
+
 void write_file_atomically(const fs::path& file, std::string_view content) {
-  make_folder(file.parent_path());
-  fs::path temporary = file;
-  temporary += ".part" + std::to_string(::getpid());
-  const std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(temporary.c_str(), "wb"));
-  if (!stream) fail_writing(file, errno);
-  const bool written =
-      std::fwrite(content.data(), 1, content.size(), stream.get()) == content.size() &&
-      std::fflush(stream.get()) == 0 && ::fsync(::fileno(stream.get())) == 0;
-  std::error_code error;
-  if (written) fs::rename(temporary, file, error);
-  if (written && !error) return;
-  const int reason = written ? error.value() : errno;
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
-  fail_writing(file, reason);
+  TemporaryFile(file, content).rename();
+}
+
+void write_files_atomically(const std::vector<FileContent>& files) {
+  std::vector<TemporaryFile> written;
+  for (const FileContent& file : files) written.emplace_back(file.file, file.content);
+  for (TemporaryFile& file : written) file.rename();
 }
 
 }  // namespace phytobench

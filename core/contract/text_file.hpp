@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace phytobench {
 
@@ -16,6 +17,15 @@ std::string read_text_file(const std::filesystem::path& file,
 /// or the new, never half of it. Creates missing folders. Throws EnvironmentError; nothing is left
 /// behind then.
 void write_file_atomically(const std::filesystem::path& file, std::string_view content);
+
+struct FileContent {
+  std::filesystem::path file;
+  std::string content;
+};
+
+/// The same for files that belong together: all are written under temporary names before the first
+/// is renamed, so that a full disk or an unwritable folder leaves what was there before.
+void write_files_atomically(const std::vector<FileContent>& files);
 
 /// Makes the folder with its parents. Throws EnvironmentError.
 void make_folder(const std::filesystem::path& folder);
