@@ -1,24 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Runs the program as a user does: arguments in; exit code, standard output and standard error out.
-// The build names the program in PHYTOBENCH_PROGRAM; PHYTOBENCH_DATA is passed through.
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include "cli/command_line_fixture.hpp"
 
-#include <algorithm>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <ostream>
-#include <set>
-#include <string>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 namespace phytobench {
 namespace {
@@ -27,137 +10,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
 using testing::StartsWith;
-using Words = std::vector<std::string>;
-
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-std::string content_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  EXPECT_TRUE(stream.is_open()) << file;
-  return std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
-}
-
-std::ptrdiff_t line_count(const std::string& text) {
-  return std::count(text.begin(), text.end(), '\n');
-}
-
-/// Text of a key, or nothing if it is missing or no text.
-std::string text_at(const json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-/// Starts the program in `folder` with its output in files and waits for it.
-int exit_code_of(const Words& arguments, const fs::path& folder, const fs::path& out,
-                 const fs::path& err) {
-  Words words = {PHYTOBENCH_PROGRAM};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  constexpr int fresh = O_WRONLY | O_CREAT | O_TRUNC;
-  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), fresh, 0600);
-  ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), fresh, 0600);
-  ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  pid_t child = 0;
-  const int error =
-      ::posix_spawn(&child, PHYTOBENCH_PROGRAM, &actions, nullptr, argv.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) {
-    ADD_FAILURE() << PHYTOBENCH_PROGRAM << ": " << std::strerror(error);
-    return -1;
-  }
-  int status = 0;
-  if (::waitpid(child, &status, 0) != child || !WIFEXITED(status)) return -1;
-  return WEXITSTATUS(status);
-}
-
-/// A fresh working folder for one test, removed afterwards.
-class CommandLine : public testing::Test {
- protected:
-  CommandLine()
-      : root_(fs::path(testing::TempDir()) / ("phytobench_cli_" + std::to_string(::getpid()))) {
-    fs::remove_all(root_);
-    fs::create_directories(folder());
-  }
-  ~CommandLine() override {
-    std::error_code ignored;
-    fs::remove_all(root_, ignored);
-  }
-
-  /// The folder commands run in; their output is kept beside it.
-  fs::path folder() const { return root_ / "work"; }
-
-  Outcome run(const Words& arguments) const {
-    Outcome outcome;
-    outcome.code = exit_code_of(arguments, folder(), root_ / "out", root_ / "err");
-    outcome.out = content_of(root_ / "out");
-    outcome.err = content_of(root_ / "err");
-    return outcome;
-  }
-
-  /// The same with standard output on a full disk.
-  Outcome run_on_full_disk(const Words& arguments) const {
-    Outcome outcome;
-    outcome.code = exit_code_of(arguments, folder(), "/dev/full", root_ / "err");
-    outcome.err = content_of(root_ / "err");
-    return outcome;
-  }
-
-  /// Standard output of a command that must succeed in silence.
-  std::string output_of(const Words& arguments) const {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "");
-    return outcome.out;
-  }
-
-  json json_of(const Words& arguments, const std::string& schema) const {
-    const json document = json::parse(output_of(arguments), nullptr, false);
-    EXPECT_TRUE(document.is_object()) << "standard output is not one JSON document";
-    if (document.is_object()) EXPECT_EQ(text_at(document, "schema"), schema);
-    return document;
-  }
-
-  /// A refusal is one line on standard error that names the trouble, and nothing else.
-  void expect_refused(const Words& arguments, int code, const std::string& named) const {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.code, code);
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(line_count(outcome.err), 1) << outcome.err;
-    EXPECT_THAT(outcome.err, StartsWith("phytobench: "));
-    EXPECT_THAT(outcome.err, HasSubstr(named));
-  }
-
-  void write(const fs::path& name, const std::string& content) const {
-    fs::create_directories((folder() / name).parent_path());
-    std::ofstream stream(folder() / name, std::ios::binary);
-    stream << content;
-    ASSERT_TRUE(stream.flush().good()) << name;
-  }
-
-  std::string read(const fs::path& name) const { return content_of(folder() / name); }
-  bool exists(const fs::path& name) const { return fs::exists(folder() / name); }
-
-  /// Names of what a command has left in its folder.
-  std::set<std::string> left_behind() const {
-    std::set<std::string> names;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder()))
-      names.insert(entry.path().filename().string());
-    return names;
-  }
-
- private:
-  fs::path root_;
-};
 
 // The program itself.
 
@@ -202,7 +54,7 @@ TEST_F(CommandLine, ExaminesTheMachine) {
 
 // list
 
-const Words kinds = {"papers", "claims", "experiments", "engines", "rules"};
+const Words kinds = {"papers", "claims", "experiments", "engines", "presets", "rules"};
 
 TEST_F(CommandLine, ListsEveryKindWithUniqueIdsAndSummaries) {
   for (const std::string& kind : kinds) {
@@ -359,9 +211,10 @@ TEST_F(CommandLine, FailsWhereNoPictureCanBeWritten) {
   write("regular", "a file\n");
   expect_refused({"grow", "tree.toml", "--picture", "/dev/full/x.svg"}, 3, "/dev/full");
   expect_refused({"grow", "tree.toml", "--picture", "regular/x.svg"}, 3, "regular");
-  expect_refused({"grow", "tree.toml", "--picture", "."}, 3, "cannot write");
+  write("folder.svg/file", "");
+  expect_refused({"grow", "tree.toml", "--picture", "folder.svg"}, 3, "cannot write");
   EXPECT_EQ(read("regular"), "a file\n");
-  EXPECT_EQ(left_behind(), (std::set<std::string>{"regular", "tree.toml"}));
+  EXPECT_EQ(left_behind(), (std::set<std::string>{"folder.svg", "regular", "tree.toml"}));
 }
 
 // run

@@ -38,10 +38,17 @@ int report(const ReportOptions& options);
 
 struct GrowOptions {
   std::string config;
+  std::string preset;  ///< instead of a file
   std::string engine = "node_driven";
   std::string option = "dn";
   int threads = 1;
-  std::string picture;  ///< SVG file; empty: none
+  std::vector<std::string> out;  ///< .obj or .glb files
+  bool split = false;            ///< meshes of at most 65,536 vertices
+  std::string picture;           ///< .png of the plant or .svg of the skeleton; empty: none
+  double azimuth_deg = 90.0;
+  double elevation_deg = 8.0;
+  double distance = 0.0;  ///< 0: the whole plant fits
+  int picture_height = 800;
   bool example = false;
   bool json = false;
 };

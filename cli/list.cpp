@@ -11,6 +11,7 @@
 #include "core/nearest_node/engine_registry.hpp"
 #include "experiments/experiment_registry.hpp"
 #include "reference/papers.hpp"
+#include "reference/tree_presets.hpp"
 #include "reports/claim_list.hpp"
 
 namespace phytobench::cli {
@@ -69,6 +70,14 @@ ordered_json engines() {
   return rows;
 }
 
+ordered_json presets() {
+  ordered_json rows = ordered_json::array();
+  for (const TreePreset& preset : tree_presets())
+    rows.push_back(
+        {{"id", preset.name}, {"file", preset.file.string()}, {"summary", preset.summary}});
+  return rows;
+}
+
 /// Competition rules: none are part of the suite yet.
 ordered_json rules() {
   return ordered_json::array();
@@ -78,11 +87,8 @@ struct Kind {
   const char* name;
   ordered_json (*rows)();
 };
-constexpr Kind kinds[] = {{"papers", papers},
-                          {"claims", claims},
-                          {"experiments", experiments},
-                          {"engines", engines},
-                          {"rules", rules}};
+constexpr Kind kinds[] = {{"papers", papers},   {"claims", claims},   {"experiments", experiments},
+                          {"engines", engines}, {"presets", presets}, {"rules", rules}};
 
 std::string plain(const ordered_json& rows) {
   std::string text;
@@ -113,7 +119,7 @@ ordered_json rows_of(const std::string& what) {
     names.emplace_back(kind.name);
   }
   throw InputError("cannot list '" + what + "'" + did_you_mean(what, names) +
-                   "; use papers, claims, experiments, engines or rules");
+                   "; use papers, claims, experiments, engines, presets or rules");
 }
 
 }  // namespace

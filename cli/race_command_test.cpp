@@ -1,20 +1,8 @@
 // SPDX-License-Identifier: MIT
 // phytobench race as a user meets it. Never asserts on a time.
-#include <sys/wait.h>
-#include <unistd.h>
+#include <sstream>
 
-#include <algorithm>
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <memory>
-#include <set>
-#include <string>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
+#include "cli/command_line_fixture.hpp"
 
 namespace phytobench {
 namespace {
@@ -22,43 +10,19 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-struct Outcome {
-  int code;
-  std::string out;
-  std::string err;
-};
-
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-class RaceCommand : public testing::Test {
+class RaceCommand : public CommandLine {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder = std::filesystem::temp_directory_path() /
-             (std::string("phytobench_race_") + test->name() + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder); }
-
+  /// Arguments after "race", separated by single spaces.
   Outcome race(const std::string& arguments) const {
-    const std::string err = (folder / "err").string();
-    const std::string command =
-        std::string(PHYTOBENCH_PROGRAM) + " race " + arguments + " 2>" + err;
-    std::FILE* pipe = ::popen(command.c_str(), "r");
-    std::string out;
-    std::array<char, 4096> buffer{};
-    for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-      out.append(buffer.data(), n);
-    const int status = ::pclose(pipe);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, out, content_of(err)};
+    Words words{"race"};
+    std::istringstream stream(arguments);
+    for (std::string word; stream >> word;) words.push_back(word);
+    return run(words);
   }
 
   std::string file(const std::string& name, const std::string& content) const {
-    std::ofstream(folder / name) << content;
-    return (folder / name).string();
+    write(name, content);
+    return (folder() / name).string();
   }
 
   void expect_refused(const std::string& arguments, const std::string& part) const {
@@ -66,10 +30,8 @@ class RaceCommand : public testing::Test {
     EXPECT_EQ(outcome.code, 2) << arguments;
     EXPECT_EQ(outcome.out, "") << arguments;
     EXPECT_THAT(outcome.err, HasSubstr(part)) << arguments;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(line_count(outcome.err), 1) << outcome.err;
   }
-
-  std::filesystem::path folder;
 };
 
 TEST_F(RaceCommand, GivesOneVerifiedDocument) {
@@ -174,7 +136,7 @@ TEST_F(RaceCommand, RefusesWrongInput) {
                  "smaller unit");
   expect_refused("nearest-node --threads 0", "threads");
   expect_refused("nearest-node --budget -1", "budget");
-  expect_refused("nearest-node --cloud " + (folder / "nothing.csv").string(), "nothing.csv");
+  expect_refused("nearest-node --cloud " + (folder() / "nothing.csv").string(), "nothing.csv");
   expect_refused("nearest-node --cloud " + file("a.csv", "x,y\n1,2\n"), "a.csv:1: no column 'z'");
   expect_refused("nearest-node --cloud " + file("b.csv", "x,y,z\n1,2,nan\n"), "b.csv:2: z = 'nan'");
   expect_refused("nearest-node --cloud " + file("c.csv", "x,y,z\n1,2\n"), "c.csv:2: 2 fields");

@@ -119,6 +119,28 @@ const std::map<std::string, OraclePair>& oracles_by_name() {
         [](const Arguments& a) {
           return a[0] + a[1] < 1 ? brzoska::base_volume(a[0], a[1]) : 0.0;
         }}},
+      // Two angles and lambda; how much more the first turns, and how much larger its share is.
+      {"brzoska2019/equation-13-turn-and-share",
+       {3,
+        [](const Arguments& a) {
+          return brzoska::equation_13(a[0], a[2]) - brzoska::equation_13(a[1], a[2]);
+        },
+        [](const Arguments& a) {
+          return brzoska::equation_13(a[0], a[2]) / a[0] - brzoska::equation_13(a[1], a[2]) / a[1];
+        }}},
+      // A point of a ring and the ring's normal; the point's x.
+      {"brzoska2019/equation-3",
+       {6,
+        [](const Arguments& a) {
+          return brzoska::equation_3_as_printed({a[0], a[1], a[2]}, {a[3], a[4], a[5]}).x;
+        },
+        [](const Arguments& a) {
+          return brzoska::equation_3_corrected({a[0], a[1], a[2]}, {a[3], a[4], a[5]}).x;
+        }}},
+      // Corners of a ring, printed and corrected number of vertices; vertices left over.
+      {"brzoska2019/vertices-over-rings",
+       {3, [](const Arguments& a) { return std::fmod(a[1], a[0] + 1); },
+        [](const Arguments& a) { return std::fmod(a[2], a[0] + 1); }}},
       // Volume and density.
       {"brzoska2019/equation-22",
        {2, [](const Arguments& a) { return brzoska::equation_22_as_printed(a[0], a[1]); },

@@ -8,7 +8,7 @@
 #include "benchmarks/nearest_node/awkward_seedlings.hpp"
 #include "core/colonization/tree_parameters_file.hpp"
 #include "core/nearest_node/engine_registry.hpp"
-#include "reference/data_folder.hpp"
+#include "reference/tree_presets.hpp"
 
 namespace phytobench {
 namespace {
@@ -160,8 +160,7 @@ TEST(DeferredMistakeOracle, GrowTheOraclesWrongTrees) {
 
 // The thesis' own test tree: published 5200 edges, and the evaluations derived for a plain scan.
 TEST(TestTreeSlow, HasThePublishedEdgesForEveryEngineAndOption) {
-  const Seedling seedling = make_seedling(
-      read_tree_parameters(paper_folder("brzoska2019") / "parameters.toml", {"tree.figure-51"}));
+  const Seedling seedling = make_seedling(read_tree_parameters(tree_preset_file("figure-51")));
   EXPECT_EQ(seedling.attraction_points.size(), 25298u);
   const GrowthOracle oracle(seedling);
   for (const EngineDescriptor* engine : all_engines()) {

@@ -11,14 +11,14 @@
 #include "core/colonization/tree_parameters_file.hpp"
 #include "core/contract/csv_file.hpp"
 #include "core/contract/errors.hpp"
-#include "reference/data_folder.hpp"
+#include "reference/tree_presets.hpp"
 
 namespace phytobench {
 
 namespace {
 
 TreeParameters test_tree() {
-  return read_tree_parameters(paper_folder("brzoska2019") / "parameters.toml", {"tree.figure-51"});
+  return read_tree_parameters(tree_preset_file("figure-51"));
 }
 
 int scaled_iterations(const TreeParameters& tree, double scale) {

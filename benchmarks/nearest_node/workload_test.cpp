@@ -16,7 +16,7 @@
 #include "core/contract/text_file.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 #include "core/random/counter_stream.hpp"
-#include "reference/data_folder.hpp"
+#include "reference/tree_presets.hpp"
 
 namespace phytobench {
 namespace {
@@ -34,7 +34,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double rounding = 1e-13;
 
 TreeParameters published_test_tree() {
-  return read_tree_parameters(paper_folder("brzoska2019") / "parameters.toml", {"tree.figure-51"});
+  return read_tree_parameters(tree_preset_file("figure-51"));
 }
 
 GrowthResult grown(const Workload& workload) {

@@ -141,6 +141,119 @@ std::vector<TreeParameterKey> make_keys() {
        NumberKey{.high = 1,
                  .place = [](Values& v) -> double& { return v.parameters.crown_stem_ratio; }}},
 
+      {"branches.thickness", "share", "0.55",
+       "how thick the stem is; sets the exponent of the radius rule, 3 - 2 * thickness", thesis,
+       NumberKey{.high = 1, .place = [](Values& v) -> double& { return v.thickness; }}},
+      {"branches.radius_exponent", "-", "1.9",
+       "n of r^n = r1^n + ... + rk^n, instead of thickness; 2 keeps the cross-section area",
+       "[Brzoska2019] eq. 12",
+       NumberKey{.low = 0.1,
+                 .high = 100,
+                 .place = [](Values& v) -> double& { return v.parameters.plant.radius_exponent; }},
+       true},
+      {"branches.tip_radius", "length", "0.007", "radius of every tip", thesis,
+       NumberKey{.high = 1e6,
+                 .low_is_allowed = false,
+                 .place = [](Values& v) -> double& { return v.parameters.plant.tip_radius; }}},
+
+      {"pendulous.intensity", "share", "0.0",
+       "lambda, how far branches hang; bends the finished skeleton", "[Brzoska2019] eq. 13",
+       NumberKey{
+           .high = 1,
+           .place = [](Values& v) -> double& { return v.parameters.plant.pendulous.intensity; }}},
+      {"pendulous.begin", "share", "0.7",
+       "where bending starts: share of the greatest node depth that stem and iterations can give",
+       thesis,
+       NumberKey{.high = 1, .place = [](Values& v) -> double& { return v.pendulous_begin; }}},
+      {"pendulous.first_order", "-", "25",
+       "the same as a number of edges from the root, instead of begin",
+       "[Brzoska2019] fig. 43, ambiguity A4",
+       NumberKey{.high = 1e9,
+                 .whole = true,
+                 .place = [](Values& v) -> double& { return v.pendulous_first_order; }},
+       true},
+
+      {"mesh.circle_resolution", "-", "3", "corners of a ring across a branch",
+       "[Brzoska2019] eq. 2, value published by its author",
+       NumberKey{.low = 3,
+                 .high = 256,
+                 .whole = true,
+                 .place = [](Values& v) -> double& { return v.circle_resolution; }}},
+      {"mesh.duplicate_ratio", "share", "0.49",
+       "a child no thicker than this share of its parent gets a ring of its own at the parent's "
+       "place",
+       "[Brzoska2019] fig. 31, value published by its author",
+       NumberKey{.high = 1,
+                 .place = [](Values& v) -> double& {
+                   return v.parameters.plant.branches.duplicate_ratio;
+                 }}},
+      {"mesh.ring_turn", "-", "\"from_parent\"",
+       "rings turned \"from_parent\" do not twist; \"from_vertical\" is eq. 3 literally",
+       "[Brzoska2019] eq. 3",
+       ChoiceKey{{"from_parent", "from_vertical"},
+                 [](Values& v, std::size_t word) {
+                   v.parameters.plant.branches.ring_turn =
+                       word == 0 ? RingTurn::from_parent : RingTurn::from_vertical;
+                 }}},
+      {"mesh.single_child_normal", "-", "\"bisector\"",
+       "where the ring of a node with one child looks: along the \"bisector\" of the edges below "
+       "and above, or at the \"child\"",
+       "[Brzoska2019] sec. 5.1",
+       ChoiceKey{{"bisector", "child"},
+                 [](Values& v, std::size_t word) {
+                   v.parameters.plant.branches.single_child_normal =
+                       word == 0 ? SingleChildNormal::bisector : SingleChildNormal::child;
+                 }}},
+      {"mesh.texture_length", "length", "1.0",
+       "length along a branch after which the bark's texture repeats", "phytobench",
+       NumberKey{.high = 1e9,
+                 .low_is_allowed = false,
+                 .place = [](Values& v) -> double& {
+                   return v.parameters.plant.branches.texture_length;
+                 }}},
+
+      {"leaves.per_node", "-", "0.7",
+       "leaves on each thin node: the whole part always, the fraction as a probability",
+       "[Brzoska2019] sec. 5.1, value published by its author",
+       NumberKey{.high = 1000,
+                 .place = [](Values& v) -> double& { return v.parameters.plant.leaves.per_node; }}},
+      {"leaves.shape", "-", "\"cross_foil\"",
+       "\"cross_foil\" (two squares at right angles) or one \"square\"; both sides of each are "
+       "there",
+       "[Brzoska2019] sec. 3.5",
+       ChoiceKey{{"cross_foil", "square"},
+                 [](Values& v, std::size_t word) {
+                   v.parameters.plant.leaves.shape =
+                       word == 0 ? LeafShape::cross_foil : LeafShape::square;
+                 }}},
+      {"leaves.size", "length", "0.7", "mean edge of a leaf's square", thesis,
+       NumberKey{.high = 1e6,
+                 .low_is_allowed = false,
+                 .place = [](Values& v) -> double& { return v.parameters.plant.leaves.size; }}},
+      {"leaves.size_spread", "share", "0.2", "standard deviation of the size over its mean",
+       "[Brzoska2019] sec. 5.1",
+       NumberKey{
+           .high = 1,
+           .place = [](Values& v) -> double& { return v.parameters.plant.leaves.size_spread; }}},
+      {"leaves.radius_limit", "length", "0.009", "only branches thinner than this carry leaves",
+       thesis,
+       NumberKey{
+           .high = 1e6,
+           .low_is_allowed = false,
+           .place = [](Values& v) -> double& { return v.parameters.plant.leaves.radius_limit; }}},
+
+      {"colours.bark", "-", "\"#6b4a2b\"", "colour of the bark", "phytobench",
+       ColourKey{[](Values& v) -> Colour& { return v.parameters.plant.bark_colour; }}},
+      {"colours.leaves", "-", "\"#457d29\"", "colour of the leaves", "phytobench",
+       ColourKey{[](Values& v) -> Colour& { return v.parameters.plant.leaf_colour; }}},
+      {"colours.bark_texture", "-", "\"\"",
+       "PNG file wrapped around the branches instead of the colour", "[Brzoska2019] sec. 5.4",
+       FileKey{[](Values& v) -> std::string& { return v.parameters.plant.bark_texture; }}},
+      {"colours.leaf_texture", "-", "\"\"",
+       "PNG file on every leaf's squares instead of particles in the colour",
+       "[Brzoska2019] sec. 5.4",
+       FileKey{[](Values& v) -> std::string& { return v.parameters.plant.leaf_texture; }}},
+
       {"variant.tropism_order", "-", "\"before_normalising\"",
        "tropism added \"before_normalising\" (published trees) or \"after_normalising\" (eq. 10 as "
        "printed)",

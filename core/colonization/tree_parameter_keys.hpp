@@ -23,6 +23,10 @@ struct TreeFileValues {
   double gnarliness = 0.8;
   double branch_density_begin = 0.0;
   double branch_density_end = 0.8;
+  double thickness = 0.55;
+  double pendulous_begin = 0.7;
+  double pendulous_first_order = 0;
+  double circle_resolution = 3;
 };
 
 /// A number with its allowed range.
@@ -47,13 +51,23 @@ struct ChoiceKey {
   void (*choose)(TreeFileValues&, std::size_t) = nullptr;
 };
 
+/// A colour, as in "#6b4a2b".
+struct ColourKey {
+  Colour& (*place)(TreeFileValues&) = nullptr;
+};
+
+/// The name of a file; relative ones start at the folder of the parameter file. Empty: none.
+struct FileKey {
+  std::string& (*place)(TreeFileValues&) = nullptr;
+};
+
 struct TreeParameterKey {
   std::string_view name;  ///< "section.key", or "key" at the top
   std::string_view unit;
   std::string_view default_text;  ///< as written in a file
   std::string_view meaning;
   std::string_view source;  ///< paper key and place, or "phytobench"
-  std::variant<NumberKey, VectorKey, ChoiceKey> kind;
+  std::variant<NumberKey, VectorKey, ChoiceKey, ColourKey, FileKey> kind;
   bool shown_as_comment = false;  ///< alternative to other keys: the example shows it commented out
 };
 

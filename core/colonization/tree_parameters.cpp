@@ -86,6 +86,20 @@ Seedling make_seedling(const TreeParameters& p) {
   return seedling;
 }
 
+TreeOnStem regrow_stem(const TreeOnStem& tree, const TreeParameters& p) {
+  TreeOnStem regrown;
+  Skeleton& skeleton = regrown.skeleton;
+  regrown.crown_root = grow_stem(p, stem_stream, p.stem_length, 0, skeleton);
+  const Vector3 old_root = tree.skeleton.position(tree.crown_root);
+  const Vector3 new_root = skeleton.position(regrown.crown_root);
+  const std::int32_t shift = regrown.crown_root - tree.crown_root;
+  skeleton.reserve(tree.skeleton.node_count() + static_cast<std::size_t>(std::max(shift, 0)));
+  for (auto i = static_cast<std::size_t>(tree.crown_root) + 1; i < tree.skeleton.node_count(); ++i)
+    skeleton.append(tree.skeleton.parents()[i] + shift,
+                    new_root + (tree.skeleton.positions()[i] - old_root));
+  return regrown;
+}
+
 std::string why_growth_cannot_start(const Seedling& seedling) {
   if (seedling.attraction_points.empty())
     return "growth cannot start: the cloud has no attraction points; raise cloud.density or "

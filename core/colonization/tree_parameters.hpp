@@ -7,6 +7,7 @@
 #include "core/colonization/attraction_cloud.hpp"
 #include "core/colonization/growth.hpp"
 #include "core/random/unit_stream.hpp"
+#include "core/tree/plant.hpp"
 
 namespace phytobench {
 
@@ -16,8 +17,8 @@ enum class TropismDamping {
   cloud_shape,  ///< y weight min(1, (height / max(width, depth))^2) of the points' extents
 };
 
-/// A whole tree: stem, cloud and growth. The defaults are the start settings of the 2019 program as
-/// its author published them.
+/// A whole tree: stem, cloud, growth and look. The defaults are the start settings of the 2019
+/// program as its author published them.
 struct TreeParameters {
   std::uint64_t seed = 0;
   StreamKind random = StreamKind::subtractive;
@@ -37,11 +38,23 @@ struct TreeParameters {
   double stem_tilt_deg = 5.0;     ///< largest tilt of a stem piece, [0, 90]
   double crown_stem_ratio = 0.0;  ///< share of the cloud's height that a trunk runs through, [0, 1]
   GrowthVariant variant;
+  PlantParameters plant;
 };
 
 /// Grows the stem and samples the cloud. Throws InputError for an absurd number of points or stem
 /// pieces.
 Seedling make_seedling(const TreeParameters& parameters);
+
+/// A grown tree and where its crown begins.
+struct TreeOnStem {
+  Skeleton skeleton{Vector3{}};
+  std::int32_t crown_root = 0;
+};
+
+/// Puts a grown crown on a stem of another length: the stem is grown anew from `parameters`, and
+/// everything from the crown root on moves along, stem inside the crown included ([Brzoska2019]
+/// sec. 5.2.1, RegrowStem). No crown edge changes, and nothing is searched.
+TreeOnStem regrow_stem(const TreeOnStem& tree, const TreeParameters& parameters);
 
 /// min(1, (height / max(width, depth))^2), the damping of upward tropism ([Brzoska2019] sec. 5.5.1
 /// states the rule without a formula; the square is its author's).

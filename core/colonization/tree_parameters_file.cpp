@@ -46,20 +46,29 @@ std::string allowed_values(const TreeParameterKey& key) {
                                },
                                [](const ChoiceKey& kind) {
                                  return fmt::format("\"{}\"", fmt::join(kind.words, "\" or \""));
-                               }},
+                               },
+                               [](const ColourKey&) { return std::string("\"#rrggbb\""); },
+                               [](const FileKey&) { return std::string("a file name"); }},
                     key.kind);
 }
 
+/// A table and the file it comes from.
+struct SourceTable {
+  std::filesystem::path file;
+  const toml::table* table;
+};
+
 class TreeFileReader {
  public:
-  TreeFileReader(std::string_view file, std::vector<const toml::table*> tables)
-      : file_(file), tables_(std::move(tables)) {}
+  explicit TreeFileReader(std::vector<SourceTable> tables) : tables_(std::move(tables)) {}
 
   TreeParameters read() {
-    for (const toml::table* table : tables_) read_table(*table, "");
+    for (current_ = 0; current_ < tables_.size(); ++current_)
+      read_table(*tables_[current_].table, "");
     resolve_coupling();
     values_.parameters.seed = static_cast<std::uint64_t>(values_.seed);
     values_.parameters.iterations = static_cast<int>(values_.iterations);
+    resolve_plant();
     check_combinations();
     return values_.parameters;
   }
@@ -69,24 +78,26 @@ class TreeFileReader {
   [[noreturn]] void fail_any(const std::vector<std::string>& keys,
                              const std::string& problem) const {
     for (const std::string& key : keys)
-      for (auto table = tables_.rbegin(); table != tables_.rend(); ++table)
-        if (const toml::node* found = (*table)->at_path(key).node()) fail_at(*found, problem);
-    fail_at(*tables_.back(), problem);
+      for (auto source = tables_.rbegin(); source != tables_.rend(); ++source)
+        if (const toml::node* found = source->table->at_path(key).node())
+          fail_at(source->file, *found, problem);
+    fail_at(tables_.back().file, *tables_.back().table, problem);
   }
 
   [[noreturn]] void fail(const std::string& key, const std::string& problem) const {
     fail_any({key}, problem);
   }
 
-  [[noreturn]] void fail_at(const toml::node& node, const std::string& problem) const {
-    throw InputError(fmt::format("{}:{}: {}", file_, node.source().begin.line, problem));
+  [[noreturn]] static void fail_at(const std::filesystem::path& file, const toml::node& node,
+                                   const std::string& problem) {
+    throw InputError(fmt::format("{}:{}: {}", file.string(), node.source().begin.line, problem));
   }
 
   void read_table(const toml::table& table, const std::string& prefix) {
     for (const auto& [key, node] : table) {
       const std::string name = prefix + std::string(key.str());
       if (key.str().find('.') != std::string_view::npos)
-        fail_at(node,
+        fail_at(tables_[current_].file, node,
                 fmt::format("unknown key '{}' in quotes; write it without, or as [section] and key",
                             name));
       given_.insert(name);
@@ -109,7 +120,9 @@ class TreeFileReader {
       if (key.name != name) continue;
       std::visit(Overloaded{[&](const NumberKey& kind) { read_number(name, kind, node); },
                             [&](const VectorKey& kind) { read_vector(name, kind, node); },
-                            [&](const ChoiceKey& kind) { read_choice(name, kind, node); }},
+                            [&](const ChoiceKey& kind) { read_choice(name, kind, node); },
+                            [&](const ColourKey& kind) { read_colour(name, kind, node); },
+                            [&](const FileKey& kind) { read_file_name(name, kind, node); }},
                  key.kind);
       return;
     }
@@ -157,6 +170,44 @@ class TreeFileReader {
     kind.choose(values_, static_cast<std::size_t>(word - kind.words.begin()));
   }
 
+  void read_colour(const std::string& name, const ColourKey& kind, const toml::node& node) {
+    try {
+      kind.place(values_) = parse_colour(node.value_or(std::string_view()));
+    } catch (const InputError& error) {
+      fail(name, fmt::format("{}: {}", name, error.what()));
+    }
+  }
+
+  void read_file_name(const std::string& name, const FileKey& kind, const toml::node& node) {
+    const auto value = node.value<std::string>();
+    if (!value) fail(name, fmt::format("{} must be a file name in quotes", name));
+    const std::filesystem::path folder = tables_[current_].file.parent_path();
+    kind.place(values_) = value->empty() ? "" : (folder / *value).string();
+  }
+
+  bool is_given(const std::string& key) const { return given_.contains(key); }
+
+  void allow_one_of(const std::string& a, const std::string& b) const {
+    if (is_given(a) && is_given(b))
+      fail(a, fmt::format("{} and {} set the same; give one of them", a, b));
+  }
+
+  /// What the look of the plant takes from other keys.
+  void resolve_plant() {
+    TreeParameters& p = values_.parameters;
+    allow_one_of("branches.thickness", "branches.radius_exponent");
+    if (!is_given("branches.radius_exponent"))
+      p.plant.radius_exponent = radius_exponent_of(values_.thickness);
+    allow_one_of("pendulous.begin", "pendulous.first_order");
+    const double deepest = std::ceil(p.stem_length / p.step_length) + p.iterations - 1;
+    const double first = is_given("pendulous.first_order")
+                             ? values_.pendulous_first_order
+                             : std::floor(values_.pendulous_begin * deepest);
+    p.plant.pendulous.first_order = static_cast<std::int32_t>(std::min(first, 1e9));
+    p.plant.branches.circle_resolution = static_cast<int>(values_.circle_resolution);
+    p.plant.leaves.seed = p.seed;
+  }
+
   /// Gnarliness sets three distances and the default density; whoever gives the distances gives all
   /// three.
   void resolve_coupling() {
@@ -164,8 +215,8 @@ class TreeFileReader {
                                          "growth.kill_distance_end"};
     const std::string coupled_keys[] = {"growth.gnarliness", "growth.branch_density_begin",
                                         "growth.branch_density_end"};
-    const auto is_given = [this](const std::string& key) { return given_.contains(key); };
-    const auto given = std::find_if(std::begin(explicit_keys), std::end(explicit_keys), is_given);
+    const auto given = std::find_if(std::begin(explicit_keys), std::end(explicit_keys),
+                                    [this](const std::string& key) { return is_given(key); });
     if (given != std::end(explicit_keys)) {
       for (const std::string& key : explicit_keys)
         if (!is_given(key))
@@ -236,8 +287,8 @@ class TreeFileReader {
   /// Sampling tries random heights until one lies between the cuts.
   static constexpr double smallest_kept_share = 0.01;
 
-  std::string file_;
-  std::vector<const toml::table*> tables_;  // a later one replaces keys of an earlier one
+  std::vector<SourceTable> tables_;  // a later one replaces keys of an earlier one
+  std::size_t current_ = 0;          // the one being read
   std::set<std::string> given_;
   TreeFileValues values_;
 };
@@ -255,25 +306,28 @@ toml::table parse(std::string_view text, std::string_view name) {
 }  // namespace
 
 TreeParameters read_tree_parameters(const std::filesystem::path& file) {
-  return parse_tree_parameters(read_text_file(file), file.string());
+  return read_tree_parameters(std::vector<TreeSource>{{file, ""}});
 }
 
-TreeParameters read_tree_parameters(const std::filesystem::path& file,
-                                    const std::vector<std::string>& tables) {
-  const std::string name = file.string();
-  const toml::table root = parse(read_text_file(file), name);
-  std::vector<const toml::table*> found;
-  for (const std::string& table : tables) {
-    found.push_back(root.at_path(table).as_table());
-    if (found.back() == nullptr)
-      throw InputError(fmt::format("{}: has no table [{}]", name, table));
+TreeParameters read_tree_parameters(const std::vector<TreeSource>& sources) {
+  std::vector<toml::table> roots;
+  for (const TreeSource& source : sources)
+    roots.push_back(parse(read_text_file(source.file), source.file.string()));
+  std::vector<SourceTable> tables;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const toml::table* table =
+        sources[i].table.empty() ? &roots[i] : roots[i].at_path(sources[i].table).as_table();
+    if (table == nullptr)
+      throw InputError(
+          fmt::format("{}: has no table [{}]", sources[i].file.string(), sources[i].table));
+    tables.push_back({sources[i].file, table});
   }
-  return TreeFileReader(name, std::move(found)).read();
+  return TreeFileReader(std::move(tables)).read();
 }
 
 TreeParameters parse_tree_parameters(std::string_view text, std::string_view name) {
   const toml::table root = parse(text, name);
-  return TreeFileReader(name, {&root}).read();
+  return TreeFileReader({{name, &root}}).read();
 }
 
 std::string example_tree_file() {

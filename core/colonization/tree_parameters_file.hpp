@@ -14,10 +14,14 @@ namespace phytobench {
 /// line, key and what is allowed.
 TreeParameters read_tree_parameters(const std::filesystem::path& file);
 
-/// Reads it from tables of the file ("tree.figure-51"), a later table replacing keys of an earlier
-/// one.
-TreeParameters read_tree_parameters(const std::filesystem::path& file,
-                                    const std::vector<std::string>& tables);
+/// A table of a TOML file ("sensitivity[3].tree"), or the whole file.
+struct TreeSource {
+  std::filesystem::path file;
+  std::string table;  ///< empty: the whole file
+};
+
+/// Reads it from several sources, a later one replacing keys of an earlier one.
+TreeParameters read_tree_parameters(const std::vector<TreeSource>& sources);
 
 /// The same from text; `name` stands for the file in messages.
 TreeParameters parse_tree_parameters(std::string_view text, std::string_view name);

@@ -390,6 +390,42 @@ TEST(TreeParametersFile, AbsurdNumbersOfStemPiecesAreInputErrors) {
   expect_complaint("[growth]\nstep_length = 1e-9\n[stem]\nlength = 2.0\n", 4, "growth.step_length");
 }
 
+TEST(TreeParametersFile, ThicknessSetsTheExponentUnlessThatIsGiven) {
+  EXPECT_NEAR(parse_tree_parameters("", "x").plant.radius_exponent, 1.9, 1e-15);
+  EXPECT_EQ(parse_tree_parameters("branches.thickness = 0.0", "x").plant.radius_exponent, 3.0);
+  EXPECT_EQ(parse_tree_parameters("branches.thickness = 1.0", "x").plant.radius_exponent, 1.0);
+  EXPECT_EQ(parse_tree_parameters("branches.radius_exponent = 2.5", "x").plant.radius_exponent,
+            2.5);
+}
+
+TEST(TreeParametersFile, LeavesAreSeededWithTheTree) {
+  EXPECT_EQ(parse_tree_parameters("seed = 12", "x").plant.leaves.seed, 12u);
+}
+
+TEST(TreeParametersFile, TexturesAreFoundFromTheFolderOfTheFile) {
+  const PlantParameters plant =
+      parse_tree_parameters("colours.bark_texture = \"oak.png\"", "trees/oak.toml").plant;
+  EXPECT_EQ(plant.bark_texture, "trees/oak.png");
+  EXPECT_EQ(plant.leaf_texture, "");
+}
+
+TEST(TreeParametersFile, BadLooksAreInputErrors) {
+  const BadFile files[] = {
+      {"[branches]\nthickness = 0.5\nradius_exponent = 2.0\n", 2, "set the same"},
+      {"[pendulous]\nbegin = 0.5\nfirst_order = 9\n", 2, "set the same"},
+      {"[pendulous]\nintensity = 1.5\n", 2, "pendulous.intensity = 1.5 is not allowed"},
+      {"[mesh]\ncircle_resolution = 2\n", 2, "mesh.circle_resolution = 2 is not allowed"},
+      {"[mesh]\ncircle_resolution = 3.5\n", 2, "whole"},
+      {"[leaves]\nper_node = -1\n", 2, "leaves.per_node = -1 is not allowed"},
+      {"[leaves]\nshape = \"oak\"\n", 2, "\"cross_foil\", \"square\""},
+      {"[colours]\nbark = \"brown\"\n", 2, "colours.bark: 'brown' is no colour"},
+      {"[colours]\nbark = 7\n", 2, "colours.bark"},
+      {"[colours]\nleaf_texture = 7\n", 2, "colours.leaf_texture must be a file name"},
+      {"[leaves]\nsise = 1.0\n", 2, "did you mean 'leaves.size'"},
+  };
+  for (const BadFile& file : files) expect_complaint(file.text, file.line, file.part);
+}
+
 TEST(TreeParametersFile, BrokenTomlIsAnInputError) {
   const BadFile files[] = {
       {"[cloud\n", 1, "not valid TOML"},
@@ -434,9 +470,15 @@ density = -1.0
 
   void TearDown() override { fs::remove_all(folder_); }
 
+  TreeParameters read_tables(const std::vector<std::string>& tables) const {
+    std::vector<TreeSource> sources;
+    for (const std::string& table : tables) sources.push_back({file_, table});
+    return read_tree_parameters(sources);
+  }
+
   std::string table_complaint(const std::vector<std::string>& tables) const {
     try {
-      read_tree_parameters(file_, tables);
+      read_tables(tables);
     } catch (const InputError& error) {
       return error.what();
     }
@@ -448,7 +490,7 @@ density = -1.0
 };
 
 TEST_F(TreeParametersTables, OneIsReadAlone) {
-  const TreeParameters base = read_tree_parameters(file_, {std::string("tree.base")});
+  const TreeParameters base = read_tables({"tree.base"});
   EXPECT_EQ(base.seed, 3u);
   EXPECT_EQ(base.cloud_density, 5.0);
   EXPECT_EQ(base.cloud.cutoff_top, 0.1);
@@ -456,12 +498,12 @@ TEST_F(TreeParametersTables, OneIsReadAlone) {
 
 TEST_F(TreeParametersTables, LaterOneReplacesKeysOfAnEarlierOne) {
   const std::vector<std::string> tall_last{"tree.base", "tree.tall"};
-  const TreeParameters tall = read_tree_parameters(file_, tall_last);
+  const TreeParameters tall = read_tables(tall_last);
   EXPECT_EQ(tall.seed, 4u);
   EXPECT_EQ(tall.cloud_density, 7.0);
   EXPECT_EQ(tall.cloud.cutoff_top, 0.1);
   const std::vector<std::string> base_last{"tree.tall", "tree.base"};
-  const TreeParameters base = read_tree_parameters(file_, base_last);
+  const TreeParameters base = read_tables(base_last);
   EXPECT_EQ(base.seed, 3u);
   EXPECT_EQ(base.cloud_density, 5.0);
 }

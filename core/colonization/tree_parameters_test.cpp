@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/nearest_node/engine_registry.hpp"
+
 #include "core/contract/errors.hpp"
 
 namespace phytobench {
@@ -190,6 +192,35 @@ TEST(WhyGrowthCannotStart, MeasuresFromTheStemInsideTheCrownToo) {
   Seedling seedling = one_point({0, 3, 0});
   seedling.skeleton.append(0, {0, 1, 0});
   EXPECT_THAT(why_growth_cannot_start(seedling), testing::HasSubstr("is 2 away"));
+}
+
+TEST(RegrowStemLaw, MovesTheCrownAndChangesNoEdge) {
+  TreeParameters parameters;
+  parameters.cloud.radii = {2.0, 2.5, 1.5};
+  const Seedling seedling = make_seedling(parameters);
+  const auto engine = engine_named("squared_scan").create();
+  const TreeOnStem tree{grow_crown(seedling, *engine).skeleton, seedling.crown_root};
+  for (const double length : {0.0, 0.6, 2.0, 5.0}) {
+    parameters.stem_length = length;
+    const TreeOnStem regrown = regrow_stem(tree, parameters);
+    const std::int32_t shift = regrown.crown_root - tree.crown_root;
+    ASSERT_EQ(regrown.skeleton.node_count() - static_cast<std::size_t>(regrown.crown_root),
+              tree.skeleton.node_count() - static_cast<std::size_t>(tree.crown_root));
+    for (auto i = tree.crown_root + 1; i < static_cast<std::int32_t>(tree.skeleton.node_count());
+         ++i) {
+      const std::int32_t parent = tree.skeleton.parents()[static_cast<std::size_t>(i)];
+      ASSERT_EQ(regrown.skeleton.parents()[static_cast<std::size_t>(i + shift)], parent + shift);
+      const Vector3 before = tree.skeleton.position(i) - tree.skeleton.position(parent);
+      const Vector3 after =
+          regrown.skeleton.position(i + shift) - regrown.skeleton.position(parent + shift);
+      EXPECT_LE(norm(after - before), 1e-14);
+    }
+  }
+  parameters.stem_length = TreeParameters().stem_length;
+  EXPECT_EQ(tree_hash(regrow_stem(regrow_stem(tree, parameters), parameters).skeleton).size(), 16u);
+  EXPECT_LE(norm(regrow_stem(tree, parameters).skeleton.positions().back() -
+                 tree.skeleton.positions().back()),
+            1e-14);
 }
 
 }  // namespace
