@@ -137,6 +137,21 @@ const std::map<std::string, OraclePair>& oracles_by_name() {
         [](const Arguments& a) {
           return brzoska::equation_3_corrected({a[0], a[1], a[2]}, {a[3], a[4], a[5]}).x;
         }}},
+      // Vertices, triangles and lambda of two plants; how many file names, how many plants.
+      {"brzoska2019/plants-with-one-file-name",
+       {6,
+        [](const Arguments& a) {
+          return static_cast<double>(
+              std::set<std::pair<double, double>>{{a[0], a[1]}, {a[3], a[4]}}.size());
+        },
+        [](const Arguments& a) {
+          return static_cast<double>(
+              std::set<Arguments>{{a[0], a[1], a[2]}, {a[3], a[4], a[5]}}.size());
+        }}},
+      // Vertices, triangles, limit; how many meshes.
+      {"brzoska2019/meshes-needed",
+       {3, [](const Arguments& a) { return std::ceil(std::max(a[0], a[1]) / a[2]); },
+        [](const Arguments& a) { return std::ceil(a[0] / a[2]); }}},
       // Corners of a ring, printed and corrected number of vertices; vertices left over.
       {"brzoska2019/vertices-over-rings",
        {3, [](const Arguments& a) { return std::fmod(a[1], a[0] + 1); },

@@ -2,11 +2,14 @@
 #include "reports/document.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "build_information.hpp"
+#include "reports/base64.hpp"
 #include "reports/document_claims.hpp"
 #include "reports/document_scaling.hpp"
 #include "reports/document_tables.hpp"
@@ -148,12 +151,29 @@ class DocumentBuilder {
     for (const auto& [name, svg] : sources_.pictures)
       if (name.starts_with(judged.paper.key + "/"))
         part["pictures"].push_back({{"name", name}, {"svg", svg}});
+    part["gallery"] = gallery_part(judged.paper.key);
+    part["has_gallery"] = !part["gallery"].empty();
     part["claims"] = ordered_json::array();
     for (const Judgement& judgement : judged.judgements)
       part["claims"].push_back(claim_document(judgement, hidden(judgement)));
     part["errata"] = ordered_json::array();
     for (const Erratum& erratum : judged.errata) part["errata"].push_back(erratum_part(erratum));
     return part;
+  }
+
+  /// Pictures of a paper's figures, inside the page.
+  ordered_json gallery_part(const std::string& paper) const {
+    ordered_json gallery = ordered_json::array();
+    for (const auto& [name, bytes] : sources_.photographs) {
+      if (!name.starts_with(paper + "/")) continue;
+      std::string label = std::filesystem::path(name).stem().string();
+      std::replace(label.begin(), label.end(), '-', ' ');
+      label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+      gallery.push_back({{"label", label},
+                         {"file", figure_file(name)},
+                         {"source", "data:image/jpeg;base64," + to_base64(bytes)}});
+    }
+    return gallery;
   }
 
   static ordered_json erratum_part(const Erratum& erratum) {
@@ -228,6 +248,10 @@ class DocumentBuilder {
 
 ordered_json make_document(const JudgedRun& judged, const DocumentSources& sources) {
   return DocumentBuilder(judged, sources).build();
+}
+
+std::string figure_file(const std::string& artifact) {
+  return "figures/" + std::filesystem::path(artifact).filename().string();
 }
 
 }  // namespace phytobench

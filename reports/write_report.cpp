@@ -27,13 +27,14 @@ void check_formats(const std::vector<std::string>& formats) {
       throw InputError("unknown report format '" + format + "'; use html, md or csv");
 }
 
-/// SVG artifacts of the run, by their path below artifacts/.
-std::map<std::string, std::string> pictures_of(const fs::path& run_folder) {
+/// Artifacts of the run with that extension, by their path below artifacts/.
+std::map<std::string, std::string> artifacts_of(const fs::path& run_folder,
+                                                std::string_view extension) {
   std::map<std::string, std::string> pictures;
   const fs::path artifacts = run_folder / "artifacts";
   if (!fs::is_directory(artifacts)) return pictures;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(artifacts))
-    if (entry.path().extension() == ".svg")
+    if (entry.path().extension() == extension)
       pictures[fs::relative(entry.path(), artifacts).string()] = read_text_file(entry.path());
   return pictures;
 }
@@ -92,10 +93,12 @@ ReportSummary write_report(const ReportRequest& request) {
   check_formats(request.formats);
   const JudgedRun judged = judge_run(read_run(request.run_folder));
   const auto plots = scaling_plots(judged.scaling, request.without_varying);
+  const auto photographs = artifacts_of(request.run_folder, ".jpg");
   const ordered_json document =
       make_document(judged, {.environment_json = read_environment(request.run_folder),
                              .run_folder = request.run_folder.string(),
-                             .pictures = pictures_of(request.run_folder),
+                             .pictures = artifacts_of(request.run_folder, ".svg"),
+                             .photographs = photographs,
                              .plots = plots,
                              .without_varying = request.without_varying});
   const auto wanted = [&](const char* format) {
@@ -104,6 +107,8 @@ ReportSummary write_report(const ReportRequest& request) {
   };
   for (const auto& [name, svg] : plots)
     write_file_atomically(request.out_folder / "figures" / (name + ".svg"), svg);
+  for (const auto& [name, bytes] : photographs)
+    write_file_atomically(request.out_folder / figure_file(name), bytes);
   if (wanted("html"))
     write_file_atomically(
         request.out_folder / "index.html",

@@ -39,4 +39,8 @@ void run_in_blocks(std::size_t count, std::size_t block_size, int threads, const
   });
 }
 
+void run_alone(const void* body, void (*call)(const void* body)) {
+  arena_of(1).execute([&] { call(body); });
+}
+
 }  // namespace phytobench::detail

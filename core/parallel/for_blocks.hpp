@@ -17,6 +17,8 @@ void call_body(const void* body, std::size_t begin, std::size_t end) {
   (*static_cast<const Body*>(body))(begin, end);
 }
 
+void run_alone(const void* body, void (*call)(const void* body));
+
 }  // namespace detail
 
 /// Runs body(begin, end) over [0, count) in blocks of fixed size on up to `threads` threads. The
@@ -27,6 +29,13 @@ template <class Body>
 void for_blocks(std::size_t count, int threads, const Body& body) {
   constexpr std::size_t block_size = 512;
   detail::run_in_blocks(count, block_size, threads, &body, detail::call_body<Body>);
+}
+
+/// Runs body() such that a library that shares out its work on oneTBB by itself keeps to one
+/// thread: what it builds is then the same on every machine.
+template <class Body>
+void on_one_thread(const Body& body) {
+  detail::run_alone(&body, [](const void* b) { (*static_cast<const Body*>(b))(); });
 }
 
 /// Runs body(0) ... body(count - 1), each once, on up to `threads` threads; in ascending order with

@@ -46,5 +46,15 @@ TEST(Png, SaysWhichFileIsNone) {
   }
 }
 
+TEST(Jpeg, HasItsMarksAndIsTheSameEachTime) {
+  const Image image(40, 30, {90, 120, 60, 255});
+  const std::string bytes = to_jpeg(image);
+  ASSERT_GT(bytes.size(), 100u);
+  EXPECT_EQ(bytes.substr(0, 2), "\xff\xd8");
+  EXPECT_EQ(bytes.substr(bytes.size() - 2), "\xff\xd9");
+  EXPECT_EQ(bytes, to_jpeg(image));
+  EXPECT_LT(to_jpeg(checkered(), 10).size(), to_jpeg(checkered(), 100).size() + 1);
+}
+
 }  // namespace
 }  // namespace phytobench

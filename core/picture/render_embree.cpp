@@ -106,9 +106,9 @@ void pass_transparency(const RTCFilterFunctionNArguments* arguments) {
 class Scene {
  public:
   explicit Scene(const std::vector<SceneObject>& objects)
-      : device_(rtcNewDevice("isa=avx2,threads=1")), scene_(make_scene()) {
+      : device_(rtcNewDevice("isa=avx2")), scene_(make_scene()) {
     for (const SceneObject& object : objects) add(object);
-    rtcCommitScene(scene_.get());
+    on_one_thread([this] { rtcCommitScene(scene_.get()); });  // the same tree everywhere
     if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE)
       throw EnvironmentError("the picture's scene could not be built; free some memory");
   }
@@ -203,15 +203,35 @@ class Scene {
   std::vector<std::unique_ptr<Surface>> surfaces_;
 };
 
-/// Four random numbers of one sample of one pixel.
+/// Random numbers of one sample of one pixel. What is drawn in pairs is spread over the samples of
+/// the pixel: each takes its own slice of the first number, and turns on by the golden ratio in the
+/// second.
 class SampleNumbers {
  public:
-  SampleNumbers(std::size_t pixel, std::size_t sample) : next_(256 * (256 * pixel + sample)) {}
-  double next() { return random_unit(0, picture_stream, next_++); }
+  SampleNumbers(std::size_t pixel, int sample, int samples)
+      : pixel_(pixel), sample_(sample), samples_(samples) {}
+
+  struct Pair {
+    double a, b;
+  };
+  Pair next() {
+    constexpr double golden_ratio = 0.61803398874989485;
+    const std::uint64_t first = 64 * pixel_ + 4 * pairs_++;
+    const double shift = random_unit(0, picture_stream, first);
+    const double slice = wrapped(shift + static_cast<double>(sample_) / samples_);
+    const double jitter = random_unit(pairs_, picture_stream, 256 * pixel_ + unsigned_sample());
+    return {wrapped(slice + jitter / samples_),
+            wrapped(random_unit(0, picture_stream, first + 1) + golden_ratio * sample_)};
+  }
 
  private:
+  static double wrapped(double value) { return value - std::floor(value); }
+  std::uint64_t unsigned_sample() const { return static_cast<std::uint64_t>(sample_); }
+
   static constexpr std::uint64_t picture_stream = 121;
-  std::uint64_t next_;
+  std::uint64_t pixel_;
+  int sample_, samples_;
+  std::uint64_t pairs_ = 0;
 };
 
 class Renderer {
@@ -253,15 +273,16 @@ class Renderer {
   Pixel pixel(int column, int row) const {
     const auto number = static_cast<std::size_t>(row) * static_cast<std::size_t>(options_.width) +
                         static_cast<std::size_t>(column);
+    const int samples = options_.samples * options_.samples;
     Light sum;
-    for (int i = 0; i < options_.samples * options_.samples; ++i) {
-      const int sub_column = i % options_.samples, sub_row = i / options_.samples;
-      SampleNumbers numbers(number, static_cast<std::size_t>(i));
-      const double x = column + (sub_column + numbers.next()) / options_.samples;
-      const double y = row + (sub_row + numbers.next()) / options_.samples;
+    for (int i = 0; i < samples; ++i) {
+      SampleNumbers numbers(number, i, samples);
+      const SampleNumbers::Pair place = numbers.next();
+      const double x = column + (i % options_.samples + place.a) / options_.samples;
+      const double y = row + (i / options_.samples + place.b) / options_.samples;
       sum = sum + light_along(direction_through(x, y), numbers);
     }
-    const double share = 1.0 / (options_.samples * options_.samples);
+    const double share = 1.0 / samples;
     return to_pixel(
         Colour{to_shown(share * sum.red), to_shown(share * sum.green), to_shown(share * sum.blue)});
   }
@@ -311,8 +332,9 @@ class Renderer {
   Light received(const Vector3& at, const Vector3& normal, SampleNumbers& numbers) const {
     const Vector3 from = at + 1e-4 * size_ * normal;
     const double spread = std::tan(sun_half_width_deg * std::numbers::pi / 180.0);
-    const double radius = spread * std::sqrt(numbers.next());
-    const double turn = 2.0 * std::numbers::pi * numbers.next();
+    const SampleNumbers::Pair on_sun = numbers.next();
+    const double radius = spread * std::sqrt(on_sun.a);
+    const double turn = 2.0 * std::numbers::pi * on_sun.b;
     const Vector3 sun =
         to_sun_ + radius * std::cos(turn) * sun_right_ + radius * std::sin(turn) * sun_up_;
     const Vector3 to_sun = sun / norm(sun);
@@ -330,8 +352,9 @@ class Renderer {
 
   /// A direction about `normal`, more often near it, as a matt surface looks.
   static Vector3 towards_sky(const Vector3& normal, SampleNumbers& numbers) {
-    const double radius_squared = numbers.next();
-    const double turn = 2.0 * std::numbers::pi * numbers.next();
+    const SampleNumbers::Pair on_disc = numbers.next();
+    const double radius_squared = on_disc.a;
+    const double turn = 2.0 * std::numbers::pi * on_disc.b;
     const Vector3 across = any_perpendicular(normal), along = cross(normal, across);
     const double radius = std::sqrt(radius_squared);
     return radius * std::cos(turn) * across + radius * std::sin(turn) * along +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PNG through stb, which is seen in this file alone.
+// PNG and JPEG through stb, which is seen in this file alone.
 #include <cstdlib>
 #include <memory>
 
@@ -45,6 +45,14 @@ std::string to_png(const Image& image) {
   if (stbi_write_png_to_func(append_bytes, &bytes, image.width(), image.height(), channels,
                              image.pixels().data(), stride) == 0)
     throw EnvironmentError("the picture could not be packed as PNG; free some memory");
+  return bytes;
+}
+
+std::string to_jpeg(const Image& image, int quality) {
+  std::string bytes;
+  if (stbi_write_jpg_to_func(append_bytes, &bytes, image.width(), image.height(), channels,
+                             image.pixels().data(), quality) == 0)
+    throw EnvironmentError("the picture could not be packed as JPEG; free some memory");
   return bytes;
 }
 

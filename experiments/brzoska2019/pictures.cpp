@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The thesis' figures, rendered from the same plants that the appendix' counts come from.
+#include "core/geometry/bounding_box.hpp"
+#include "core/picture/render.hpp"
+#include "experiments/brzoska2019/thesis_tree.hpp"
+#include "experiments/experiment.hpp"
+
+namespace phytobench::experiments::brzoska2019 {
+
+namespace {
+
+constexpr int width = 360, height = 450;
+
+std::string picture_of(const TreeParameters& parameters, int threads) {
+  const std::vector<SceneObject> objects = scene_objects(
+      make_plant(grow_thesis_tree(parameters, threads), parameters.plant), parameters.plant);
+  BoundingBox box;
+  for (const SceneObject& object : objects)
+    for (const Vector3& p : object.mesh.positions) box.extend(p);
+  const Camera camera = fitted({}, box, static_cast<double>(width) / height);
+  return to_jpeg(render(objects, camera, {.width = width, .height = height, .threads = threads}));
+}
+
+void run(ExperimentContext& context) {
+  context.record("can_render", std::int64_t{can_render()});
+  if (!can_render()) return;
+  std::int64_t rendered = 0;
+  for (const std::string& row : thesis_parameters().table("appendix").texts("rows")) {
+    context.progress("picture of " + row);
+    context.artifact(row + ".jpg", picture_of(thesis_tree(row), context.threads()));
+    ++rendered;
+  }
+  context.record("rendered", rendered);
+}
+
+}  // namespace
+
+extern const ExperimentDescriptor pictures;
+constinit const ExperimentDescriptor pictures{
+    .id = "brzoska2019/pictures",
+    .question = "What do the plants of the thesis' figures look like, grown again?",
+    .source = "[Brzoska2019] fig. 40-47, 51, 52",
+    .seconds = {14, 14, 14},
+    .run = run,
+};
+
+}  // namespace phytobench::experiments::brzoska2019
