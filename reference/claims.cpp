@@ -25,8 +25,8 @@ constexpr std::array<std::string_view, 7> whys = {
     "sampling error", "floating point", "stated bound"};
 constexpr std::array<std::string_view, 3> tiers = {"smoke", "quick", "full"};
 constexpr std::array<std::string_view, 2> origins = {"published", "derived"};
-constexpr std::array<std::string_view, 6> subjects = {"value", "ratio", "ratio-of-ratios",
-                                                      "sum",   "same",  "different"};
+constexpr std::array<std::string_view, 7> subjects = {
+    "value", "ratio", "ratio-of-ratios", "sum", "same", "different", "matches"};
 
 /// The text of a key, which must be one of the words.
 template <std::size_t Count>
@@ -54,6 +54,7 @@ std::string full_id(const std::string& measurement, const std::string& paper) {
 
 void check_term_size(const TomlTable& table, CheckSubject subject, std::size_t size) {
   const bool right = subject == CheckSubject::value             ? size == 1
+                     : subject == CheckSubject::matches         ? size == 1
                      : subject == CheckSubject::ratio           ? size == 2
                      : subject == CheckSubject::ratio_of_ratios ? size == 4
                                                                 : size >= 2;
@@ -62,13 +63,16 @@ void check_term_size(const TomlTable& table, CheckSubject subject, std::size_t s
 
 /// Bounds that contradict each other, or that the subject cannot have.
 void check_bounds(const TomlTable& table, const ClaimCheck& check) {
-  const int forms =
-      (check.low || check.high ? 1 : 0) + (check.equals ? 1 : 0) + (check.equals_text ? 1 : 0);
+  const bool counts = check.subject == CheckSubject::matches;
+  if (counts && !(check.equals_text && (check.low || check.high || check.equals)))
+    table.fail("'matches' needs 'equals_text', and bounds of how many there are");
+  const int forms = (check.low || check.high ? 1 : 0) + (check.equals ? 1 : 0) +
+                    (check.equals_text && !counts ? 1 : 0);
   if (forms > 1) table.fail("use either 'low' and 'high', or 'equals', or 'equals_text'");
   if (check.low && check.high && !(*check.low <= *check.high))
     table.fail("'low' must not exceed 'high'");
-  if (check.equals_text && check.subject != CheckSubject::value)
-    table.fail("'equals_text' goes with of = \"value\" only");
+  if (check.equals_text && check.subject != CheckSubject::value && !counts)
+    table.fail("'equals_text' goes with of = \"value\" or \"matches\" only");
 }
 
 ClaimCheck check_from(const TomlTable& table, const std::string& paper) {

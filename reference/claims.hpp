@@ -37,6 +37,7 @@ enum class CheckSubject {
   sum,              ///< each term {"+a", "-b", ...}
   same,             ///< all measurements of a term are identical
   different,        ///< not all measurements of a term are identical
+  matches,          ///< each term {prefix}: how many measurements that start so are `equals_text`
 };
 
 /// One condition on measurements; its bounds are inclusive.

@@ -314,6 +314,9 @@ const std::vector<Mistake> claim_mistakes = {
      "of = \"same\"\nterms = [[\"e/a\", \"e/b\"]]", 11, "bounds"},
     {"different_with_bounds", "of = \"value\"\nterms = [[\"e/a\"], [\"e/b\"]]",
      "of = \"different\"\nterms = [[\"e/a\", \"e/b\"]]", 11, "bounds"},
+    {"matches_without_text", "of = \"value\"", "of = \"matches\"", 11, "'matches' needs"},
+    {"matches_without_bounds", "of = \"value\"\nterms = [[\"e/a\"], [\"e/b\"]]\nequals = 5",
+     "of = \"matches\"\nterms = [[\"e/a\"]]\nequals_text = \"5\"", 11, "'matches' needs"},
     {"unknown_section", "[[claim]]", "other = 1\n[[claim]]", 1, "'other'"},
 };
 

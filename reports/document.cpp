@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -227,16 +228,23 @@ class DocumentBuilder {
 
   /// Measurements that no claim mentions.
   std::size_t unclaimed_part() const {
-    std::map<std::string, bool> mentioned;
+    std::set<std::string> mentioned, prefixes;
     for_each_judgement([&](const Judgement& judgement) {
       for (const ClaimCheck& check : judgement.claim->checks)
         for (const auto& term : check.terms)
           for (const std::string& part : term)
-            mentioned[check.subject == CheckSubject::sum ? part.substr(1) : part] = true;
+            (check.subject == CheckSubject::matches ? prefixes : mentioned)
+                .insert(check.subject == CheckSubject::sum ? part.substr(1) : part);
     });
-    return static_cast<std::size_t>(std::count_if(
-        judged_.run.records.begin(), judged_.run.records.end(),
-        [&](const Record& record) { return !mentioned.contains(record.measurement); }));
+    const auto backs_a_claim = [&](const std::string& measurement) {
+      return mentioned.contains(measurement) ||
+             std::any_of(prefixes.begin(), prefixes.end(), [&](const std::string& prefix) {
+               return measurement.starts_with(prefix);
+             });
+    };
+    return static_cast<std::size_t>(
+        std::count_if(judged_.run.records.begin(), judged_.run.records.end(),
+                      [&](const Record& record) { return !backs_a_claim(record.measurement); }));
   }
 
   const JudgedRun& judged_;

@@ -27,6 +27,14 @@ std::optional<RecordValue> Evidence::recorded(const std::string& measurement) co
   return found->second;
 }
 
+std::vector<RecordValue> Evidence::recorded_below(const std::string& prefix) const {
+  std::vector<RecordValue> values;
+  for (auto record = records_.lower_bound(prefix);
+       record != records_.end() && record->first.starts_with(prefix); ++record)
+    values.push_back(record->second);
+  return values;
+}
+
 std::vector<double> Evidence::samples(const std::string& measurement) const {
   std::vector<double> samples;
   if (const auto timed = timings_.find(measurement); timed != timings_.end()) {

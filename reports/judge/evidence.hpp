@@ -21,6 +21,9 @@ class Evidence {
   /// Text of a recorded value, or nothing for a timing or an unknown measurement.
   std::optional<RecordValue> recorded(const std::string& measurement) const;
 
+  /// Recorded values whose names start with `prefix`.
+  std::vector<RecordValue> recorded_below(const std::string& prefix) const;
+
   /// Samples in the order of rounds: one exact value for a record, all repetitions for a timing.
   std::vector<double> samples(const std::string& measurement) const;
 

@@ -51,7 +51,7 @@ std::string wanted_of(const ClaimCheck& check) {
     text = "all the same";
   else if (check.subject == CheckSubject::different)
     text = "not all the same";
-  else if (check.equals_text)
+  else if (check.equals_text && check.subject != CheckSubject::matches)
     text = "= " + *check.equals_text;
   else if (check.equals)
     text = "= " + shown(*check.equals);
@@ -61,6 +61,7 @@ std::string wanted_of(const ClaimCheck& check) {
     text = ">= " + shown(*check.low);
   else
     text = "<= " + shown(*check.high);
+  if (check.subject == CheckSubject::matches) text += " equal to " + *check.equals_text;
   if (check.terms.size() > 1)
     text += fmt::format(" in {} of {}", check.required, check.terms.size());
   return text;
@@ -130,6 +131,17 @@ JudgedTerm judge_text(const ClaimCheck& check, const std::string& measurement,
   return judged;
 }
 
+JudgedTerm judge_matches(const ClaimCheck& check, const std::string& prefix,
+                         const Evidence& evidence, JudgedTerm judged) {
+  const std::vector<RecordValue> values = evidence.recorded_below(prefix);
+  if (values.empty()) return judged;
+  const auto count = static_cast<double>(
+      std::count(values.begin(), values.end(), RecordValue(*check.equals_text)));
+  judged.measured = fmt::format("{:.0f} of {}", count, values.size());
+  judged.outcome = outcome_of({count, count, count}, check);
+  return judged;
+}
+
 /// One combined value per round, from times of the same round; recorded values are the same in
 /// every round. Empty if something is missing, or if times lack partners.
 std::vector<double> combined_by_round(const ClaimCheck& check, const std::vector<std::string>& term,
@@ -163,6 +175,8 @@ JudgedTerm judge_term(const ClaimCheck& check, const std::vector<std::string>& t
   JudgedTerm judged{expression_of(check, term), "not measured", CheckOutcome::missing};
   if (check.subject == CheckSubject::same || check.subject == CheckSubject::different)
     return judge_comparison(check, term, evidence, judged);
+  if (check.subject == CheckSubject::matches)
+    return judge_matches(check, term[0], evidence, judged);
   if (check.equals_text) return judge_text(check, term[0], evidence, judged);
   const std::vector<double> combined = combined_by_round(check, term, evidence);
   if (combined.empty()) return judged;
@@ -256,7 +270,9 @@ Judgement judge(const Claim& claim, const Evidence& evidence, Tier tier) {
   judgement.verdict = verdict_of(claim, judgement.checks);
   if (judgement.verdict == Verdict::not_measured) {
     bool present = true;
-    for_each_measurement(claim, [&](const std::string& id) { present &= evidence.has(id); });
+    for_each_measurement(claim, [&](const std::string& id) {
+      present &= evidence.has(id) || !evidence.recorded_below(id).empty();
+    });
     judgement.reason = tier < claim.tier ? fmt::format("needs tier {}, this run is tier {}",
                                                        name_of(claim.tier), name_of(tier))
                        : present         ? "its times lack rounds, or partners in the same round"

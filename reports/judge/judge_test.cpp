@@ -530,5 +530,29 @@ TEST(JudgeLaw, MoreRequiredTermsNeverMakeAVerdictBetter) {
               required <= 2 ? Verdict::reproduced : Verdict::not_reproduced);
 }
 
+ClaimCheck how_many_are(const std::string& prefix, const std::string& text) {
+  ClaimCheck check = check_of(CheckSubject::matches, {{prefix}});
+  check.equals_text = text;
+  return check;
+}
+
+TEST(JudgeMatches, CountsMeasurementsThatStartSoAndAreEqual) {
+  const Evidence evidence =
+      evidence_of({measured_text("p/e/seeds/1", "4 6"), measured_text("p/e/seeds/2", "8 12"),
+                   measured_text("p/e/seeds/3", "4 6"), measured_text("p/e/seedling", "4 6")});
+  const auto verdict = [&](const ClaimCheck& check) {
+    Claim claim;
+    claim.checks = {check};
+    return judge(claim, evidence, Tier::full);
+  };
+  EXPECT_EQ(verdict(at_least(1, how_many_are("p/e/seeds/", "4 6"))).verdict, Verdict::reproduced);
+  EXPECT_EQ(verdict(at_least(1, how_many_are("p/e/seeds/", "4 6"))).measured, "2 of 3");
+  EXPECT_EQ(verdict(at_least(3, how_many_are("p/e/seeds/", "4 6"))).verdict,
+            Verdict::not_reproduced);
+  EXPECT_EQ(verdict(at_least(1, how_many_are("p/e/seeds/", "4 7"))).verdict,
+            Verdict::not_reproduced);
+  EXPECT_EQ(verdict(at_least(1, how_many_are("p/e/none/", "4 6"))).verdict, Verdict::not_measured);
+}
+
 }  // namespace
 }  // namespace phytobench
