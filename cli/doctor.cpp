@@ -15,6 +15,7 @@
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "core/nearest_node/engine_registry.hpp"
+#include "core/picture/render.hpp"
 #include "core/record/environment.hpp"
 #include "core/statistics/order_statistics.hpp"
 #include "reference/data_folder.hpp"
@@ -83,6 +84,7 @@ ordered_json examination() {
         engine->built()
             ? "built" + (engine->library.empty() ? "" : ", " + std::string(engine->library))
             : "not built: " + std::string(engine->missing_package) + " is missing";
+  json["pictures"] = renderer_name();
   for (const Tool& tool : tools)
     json["tools"][tool.program] =
         is_on_path(tool.program) ? "found" : fmt::format("missing (needed for {})", tool.purpose);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "core/picture/camera.hpp"
@@ -20,8 +21,11 @@ struct RenderOptions {
   std::function<bool(double)> progress = {};
 };
 
-/// Whether this build can render, and what it lacks if not.
+/// Whether this build can render.
 bool can_render();
+
+/// What renders, with its version; or what is missing.
+std::string renderer_name();
 
 /// Traces the objects in the light of a sun of some width and of the sky: soft shadows, a ground,
 /// transparent textures cut at one half. A pixel is a pure function of scene, camera and options.

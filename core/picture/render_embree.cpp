@@ -375,6 +375,10 @@ bool can_render() {
   return true;
 }
 
+std::string renderer_name() {
+  return "Embree " RTC_VERSION_STRING;
+}
+
 Image render(const std::vector<SceneObject>& objects, const Camera& camera,
              const RenderOptions& options) {
   PHYTOBENCH_EXPECT(options.samples >= 1 && options.samples <= 16);

@@ -9,6 +9,10 @@ bool can_render() {
   return false;
 }
 
+std::string renderer_name() {
+  return "not built: embree is missing";
+}
+
 Image render(const std::vector<SceneObject>&, const Camera&, const RenderOptions&) {
   throw EnvironmentError(
       "pictures of meshes are not built; install libembree-dev and build again, or "
