@@ -9,7 +9,6 @@
 #include "core/colonization/tree_parameters_file.hpp"
 #include "core/contract/errors.hpp"
 #include "core/contract/text_file.hpp"
-#include "core/geometry/bounding_box.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 #include "core/picture/render.hpp"
 #include "core/tree/branches.hpp"
@@ -103,13 +102,6 @@ void check_file_names(const GrowOptions& options) {
   if (!options.picture.empty() && options.picture == options.config)
     throw InputError("--picture " + options.picture +
                      " would overwrite the parameter file; name another");
-}
-
-BoundingBox box_of(const std::vector<SceneObject>& objects) {
-  BoundingBox box;
-  for (const SceneObject& object : objects)
-    for (const Vector3& p : object.mesh.positions) box.extend(p);
-  return box;
 }
 
 std::string rendered(const GrowOptions& options, const std::vector<SceneObject>& objects) {

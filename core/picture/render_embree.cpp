@@ -239,10 +239,8 @@ class Renderer {
   Renderer(const std::vector<SceneObject>& objects, const Camera& camera,
            const RenderOptions& options)
       : scene_(objects), camera_(camera), frame_(view_frame(camera)), options_(options) {
-    BoundingBox box;
-    for (const SceneObject& object : objects)
-      for (const Vector3& p : object.mesh.positions) box.extend(p);
-    size_ = std::max({box.extent().x, box.extent().y, box.extent().z, 1e-6});
+    const Vector3 extent = box_of(objects).extent();
+    size_ = std::max({extent.x, extent.y, extent.z, 1e-6});
     const Camera sun{.azimuth_deg = camera.azimuth_deg + sun_azimuth_deg,
                      .elevation_deg = sun_elevation_deg};
     const ViewFrame from_sun = view_frame(sun);

@@ -55,4 +55,11 @@ std::vector<SceneObject> split_objects(std::vector<SceneObject> objects,
   return parts;
 }
 
+BoundingBox box_of(const std::vector<SceneObject>& objects) {
+  BoundingBox box;
+  for (const SceneObject& object : objects)
+    for (const Vector3& p : object.mesh.positions) box.extend(p);
+  return box;
+}
+
 }  // namespace phytobench

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/bounding_box.hpp"
 #include "core/picture/image.hpp"
 #include "core/tree/plant.hpp"
 #include "core/tree/triangle_mesh.hpp"
@@ -26,5 +27,8 @@ std::vector<SceneObject> scene_objects(Plant plant, const PlantParameters& param
 /// The same with every mesh cut into parts of at most `most_vertices`, named "bark", "bark-2", ...
 std::vector<SceneObject> split_objects(std::vector<SceneObject> objects,
                                        std::size_t most_vertices = 65536);
+
+/// The box around all of them.
+BoundingBox box_of(const std::vector<SceneObject>& objects);
 
 }  // namespace phytobench
