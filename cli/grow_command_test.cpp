@@ -56,7 +56,6 @@ TEST_F(GrowCommand, GrowsPresetsByName) {
 
 TEST_F(GrowCommand, RendersFromTheSideAskedFor) {
   if (!can_render()) GTEST_SKIP() << "Embree is not installed";
-  const Words small{"--picture-height", "60"};
   const auto picture = [&](const std::string& name, const Words& more) {
     Words words{"grow", "tree.toml", "--picture", name, "--picture-height", "60"};
     words.insert(words.end(), more.begin(), more.end());

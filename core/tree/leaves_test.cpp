@@ -51,7 +51,7 @@ TEST(LeavesLaw, AnotherCountNeitherMovesNorTurnsThoseThatStay) {
                             [&](const Leaf& other) { return same(leaf, other); }));
 }
 
-TEST(LeavesLaw, AnotherSizeOrSeedOfTheSizeKeepsPlaceAndTurn) {
+TEST(LeavesLaw, AnotherSizeKeepsPlaceAndTurn) {
   const Skeleton tree = brush(50);
   const auto small = make_leaves(tree, thin(tree), {.size = 0.1});
   const auto large = make_leaves(tree, thin(tree), {.size = 1.0});
