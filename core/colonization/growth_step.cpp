@@ -14,13 +14,25 @@ constexpr std::int32_t not_growing = -1;
 /// Points and nodes lie anywhere in memory: asked for so many steps before they are needed.
 constexpr std::size_t steps_ahead = 16;
 
+/// Every share reads the list of all points.
+constexpr int most_shares = 16;
+
+/// Points that have a node lie unevenly.
+constexpr std::size_t parts_per_share = 4;
+
+/// Nodes that share cache lines stay together; new nodes, which have most of the points, do not.
+constexpr NodeIndex nodes_together = 64;
+
 }  // namespace
 
 GrowthStep::GrowthStep(const GrowthParameters& parameters, int threads)
     : parameters_(parameters),
       threads_(threads),
       limit_(0.5 * parameters.perception_angle_rad),
-      perception_(parameters.influence_distance, 0.5 * parameters.perception_angle_rad) {}
+      perception_(parameters.influence_distance, 0.5 * parameters.perception_angle_rad),
+      shares_(static_cast<std::size_t>(std::clamp(threads, 1, most_shares))) {
+  associated_.resize(shares_.size() == 1 ? 1 : parts_per_share * shares_.size());
+}
 
 void GrowthStep::reserve(std::size_t node_count) {
   place_.reserve(node_count);
@@ -30,19 +42,63 @@ void GrowthStep::reserve(std::size_t node_count) {
 GrowthStep::Counts GrowthStep::grow(std::span<const Vector3> points, const Assignment& assignment,
                                     std::int32_t first, LargeVector<SearchableNode>& nodes,
                                     Skeleton& skeleton) {
-  Counts counts{.associated_points = find_growing(points, assignment, nodes)};
-  note_changes();
-  sum_pulls(points, nodes);
-  find_children(first, nodes, skeleton);
-  for (std::size_t i = 0; i < growing_.size(); ++i) {
-    const Child& child = children_[i];
-    last_step_[static_cast<std::size_t>(growing_[i].node)] = {growing_[i].points, child.fate};
-    counts.suppressed_repeats += child.fate == Fate::repeat;
-    if (child.fate != Fate::grows) continue;
-    skeleton.append(first + growing_[i].node, child.node.position);
-    nodes.push_back(child.node);
+  find_nodes(assignment);
+  place_.resize(nodes.size(), not_growing);
+  last_step_.resize(nodes.size());
+  for_tasks(shares_.size(), threads_, [&](std::size_t number) {
+    Share& share = shares_[number];
+    grow_share(share, associated_of(share, number), points, first, nodes, skeleton);
+  });
+  Counts counts;
+  for (const Share& share : shares_) {
+    counts.associated_points += share.counts.associated_points;
+    counts.suppressed_repeats += share.counts.suppressed_repeats;
   }
+  append_children(first, nodes, skeleton);
   return counts;
+}
+
+void GrowthStep::find_nodes(const Assignment& assignment) {
+  for_tasks(associated_.size(), threads_, [&](std::size_t part) {
+    auto& [points, nodes] = associated_[part];
+    points.clear();
+    assignment.associated.append_part_to(points, part, associated_.size());
+    nodes.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const PointIndex soon = points[std::min(i + steps_ahead, points.size() - 1)];
+      __builtin_prefetch(&assignment.node[static_cast<std::size_t>(soon)]);
+      nodes[i] = assignment.node[static_cast<std::size_t>(points[i])];
+    }
+  });
+}
+
+const GrowthStep::Associated& GrowthStep::associated_of(Share& share, std::size_t number) const {
+  if (shares_.size() == 1) return associated_.front();
+  const auto count = static_cast<NodeIndex>(shares_.size());
+  auto& [points, nodes] = share.associated;
+  std::size_t chosen = 0;
+  for (const Associated& part : associated_) {
+    points.resize(chosen + part.points.size());
+    nodes.resize(points.size());
+    for (std::size_t i = 0; i < part.points.size(); ++i) {
+      points[chosen] = part.points[i];  // in any case: whose node comes next is anybody's guess
+      nodes[chosen] = part.nodes[i];
+      chosen += static_cast<std::size_t>(part.nodes[i] / nodes_together % count) == number;
+    }
+  }
+  points.resize(chosen);
+  nodes.resize(chosen);
+  return share.associated;
+}
+
+void GrowthStep::grow_share(Share& share, const Associated& associated,
+                            std::span<const Vector3> points, std::int32_t first,
+                            std::span<const SearchableNode> nodes, const Skeleton& skeleton) {
+  share.counts = {};
+  find_growing(share, associated, points, nodes);
+  note_changes(share);
+  sum_pulls(share, points, nodes);
+  find_children(share, first, nodes, skeleton);
 }
 
 bool GrowthStep::is_given_up(const Vector3& point, const SearchableNode& node) const {
@@ -51,114 +107,120 @@ bool GrowthStep::is_given_up(const Vector3& point, const SearchableNode& node) c
                                    squared_distance(node.position, point));
 }
 
-/// Lists the nodes with points in the order of their lowest point. Returns the number of points.
-std::size_t GrowthStep::find_growing(std::span<const Vector3> points, const Assignment& assignment,
-                                     std::span<const SearchableNode> nodes) {
-  associated_.clear();
-  assignment.associated.append_to(associated_);
-  find_nodes(assignment);
-  attracting_.clear();
-  growing_.clear();
-  place_.resize(nodes.size(), not_growing);
-  last_step_.resize(nodes.size());
-  for (std::size_t i = 0; i < associated_.size(); ++i) {
-    const NodeIndex soon = node_of_associated_[std::min(i + steps_ahead, associated_.size() - 1)];
+/// Lists the nodes with points in the order of their lowest point.
+void GrowthStep::find_growing(Share& share, const Associated& associated,
+                              std::span<const Vector3> points,
+                              std::span<const SearchableNode> nodes) {
+  const auto& [own_points, own_nodes] = associated;
+  share.attracting.clear();
+  share.growing.clear();
+  for (std::size_t i = 0; i < own_points.size(); ++i) {
+    const NodeIndex soon = own_nodes[std::min(i + steps_ahead, own_nodes.size() - 1)];
     __builtin_prefetch(&place_[static_cast<std::size_t>(soon)], 1);
-    const PointIndex point = associated_[i];
-    const NodeIndex node = node_of_associated_[i];
+    const PointIndex point = own_points[i];
+    const NodeIndex node = own_nodes[i];
     if (is_given_up(points[static_cast<std::size_t>(point)], nodes[static_cast<std::size_t>(node)]))
       continue;
     std::int32_t& place = place_[static_cast<std::size_t>(node)];
     if (place == not_growing) {
-      place = static_cast<std::int32_t>(growing_.size());
-      growing_.push_back({{}, node, 0, true});
+      place = static_cast<std::int32_t>(share.growing.size());
+      share.growing.push_back({{}, node, point, 0, true});
     }
-    ++growing_[static_cast<std::size_t>(place)].points;
-    attracting_.push_back({point, place});
+    ++share.growing[static_cast<std::size_t>(place)].points;
+    share.attracting.push_back({point, place});
   }
-  for (const GrowingNode& growing : growing_)
+  share.counts.associated_points = share.attracting.size();
+  for (const GrowingNode& growing : share.growing)
     place_[static_cast<std::size_t>(growing.node)] = not_growing;
-  return attracting_.size();
-}
-
-void GrowthStep::find_nodes(const Assignment& assignment) {
-  node_of_associated_.resize(associated_.size());
-  for_blocks(associated_.size(), threads_, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const PointIndex soon = associated_[std::min(i + steps_ahead, end - 1)];
-      __builtin_prefetch(&assignment.node[static_cast<std::size_t>(soon)]);
-      node_of_associated_[i] = assignment.node[static_cast<std::size_t>(associated_[i])];
-    }
-  });
 }
 
 /// A node gets points only when it is new; later it loses some to newer nodes or to removal. So if
 /// it has as many as at its last step, it has the same, would grow the same child, and that stands
 /// there already.
-void GrowthStep::note_changes() {
+void GrowthStep::note_changes(Share& share) const {
   if (parameters_.variant.repeat_guard == RepeatGuard::off) return;
-  for (std::size_t i = 0; i < growing_.size(); ++i) {
-    const NodeIndex soon = growing_[std::min(i + steps_ahead, growing_.size() - 1)].node;
+  std::vector<GrowingNode>& growing = share.growing;
+  for (std::size_t i = 0; i < growing.size(); ++i) {
+    const NodeIndex soon = growing[std::min(i + steps_ahead, growing.size() - 1)].node;
     __builtin_prefetch(&last_step_[static_cast<std::size_t>(soon)], 1);
-    GrowingNode& growing = growing_[i];
-    growing.changed = growing.points != last_step_[static_cast<std::size_t>(growing.node)].points;
+    growing[i].changed =
+        growing[i].points != last_step_[static_cast<std::size_t>(growing[i].node)].points;
   }
-  std::erase_if(attracting_, [this](const Attracting& attracting) {
-    return !growing_[static_cast<std::size_t>(attracting.place)].changed;
+  std::erase_if(share.attracting, [&growing](const Attracting& attracting) {
+    return !growing[static_cast<std::size_t>(attracting.place)].changed;
   });
 }
 
-void GrowthStep::sum_pulls(std::span<const Vector3> points, std::span<const SearchableNode> nodes) {
+/// In the order of the points: rounding must not depend on how many threads there are.
+void GrowthStep::sum_pulls(Share& share, std::span<const Vector3> points,
+                           std::span<const SearchableNode> nodes) const {
   const AttractionSum kind = parameters_.variant.attraction_sum;
-  pulls_.resize(attracting_.size());
-  for_blocks(attracting_.size(), threads_, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const PointIndex soon = attracting_[std::min(i + steps_ahead, end - 1)].point;
-      __builtin_prefetch(&points[static_cast<std::size_t>(soon)]);
-      const Attracting& attracting = attracting_[i];
-      const NodeIndex node = growing_[static_cast<std::size_t>(attracting.place)].node;
-      pulls_[i] = attraction(nodes[static_cast<std::size_t>(node)].position,
-                             points[static_cast<std::size_t>(attracting.point)], kind);
-    }
-  });
-  // One thread, in the order of the points: rounding must not depend on how many there are.
-  for (std::size_t i = 0; i < attracting_.size(); ++i) {
-    Vector3& sum = growing_[static_cast<std::size_t>(attracting_[i].place)].sum;
-    sum = sum + pulls_[i];
+  const std::vector<Attracting>& attracting = share.attracting;
+  for (std::size_t i = 0; i < attracting.size(); ++i) {
+    const PointIndex soon = attracting[std::min(i + steps_ahead, attracting.size() - 1)].point;
+    __builtin_prefetch(&points[static_cast<std::size_t>(soon)]);
+    GrowingNode& growing = share.growing[static_cast<std::size_t>(attracting[i].place)];
+    growing.sum =
+        growing.sum + attraction(nodes[static_cast<std::size_t>(growing.node)].position,
+                                 points[static_cast<std::size_t>(attracting[i].point)], kind);
   }
 }
 
-void GrowthStep::find_children(std::int32_t first, std::span<const SearchableNode> nodes,
-                               const Skeleton& skeleton) {
-  children_.resize(growing_.size());
-  for_blocks(growing_.size(), threads_, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const GrowingNode& soon = growing_[std::min(i + steps_ahead, end - 1)];
-      if (soon.changed) {
-        __builtin_prefetch(&nodes[static_cast<std::size_t>(soon.node)]);
-        skeleton.prefetch_children(first + soon.node);
-      }
-      children_[i] = child_of(growing_[i], first, nodes, skeleton);
+void GrowthStep::find_children(Share& share, std::int32_t first,
+                               std::span<const SearchableNode> nodes, const Skeleton& skeleton) {
+  share.children.clear();
+  for (std::size_t i = 0; i < share.growing.size(); ++i) {
+    const GrowingNode& soon = share.growing[std::min(i + steps_ahead, share.growing.size() - 1)];
+    if (soon.changed) {
+      __builtin_prefetch(&nodes[static_cast<std::size_t>(soon.node)]);
+      skeleton.prefetch_children(first + soon.node);
     }
-  });
+    const GrowingNode& parent = share.growing[i];
+    const auto node = static_cast<std::size_t>(parent.node);
+    const Fate fate = grow_child(parent, first, nodes[node], skeleton, share.children);
+    share.counts.suppressed_repeats += fate == Fate::repeat;
+    last_step_[node] = {parent.points, fate};
+  }
 }
 
-GrowthStep::Child GrowthStep::child_of(const GrowingNode& parent, std::int32_t first,
-                                       std::span<const SearchableNode> nodes,
-                                       const Skeleton& skeleton) const {
+GrowthStep::Fate GrowthStep::grow_child(const GrowingNode& parent, std::int32_t first,
+                                        const SearchableNode& node, const Skeleton& skeleton,
+                                        std::vector<Child>& children) const {
   if (!parent.changed) {
     const Fate last = last_step_[static_cast<std::size_t>(parent.node)].fate;
-    return {{}, last == Fate::no_direction ? last : Fate::repeat};
+    return last == Fate::no_direction ? last : Fate::repeat;
   }
-  const SearchableNode& node = nodes[static_cast<std::size_t>(parent.node)];
   const GrowthVariant& variant = parameters_.variant;
   const auto direction = growth_direction(parent.sum, parameters_.tropism, variant.tropism_order);
-  if (!direction) return {{}, Fate::no_direction};
+  if (!direction) return Fate::no_direction;
   const Vector3 limited = limit_(*direction, node.direction);
   const Vector3 position = node.position + parameters_.step_length * limited;
-  const bool repeats = variant.repeat_guard == RepeatGuard::on &&
-                       skeleton.has_child_at(first + parent.node, position);
-  return {{position, limited}, repeats ? Fate::repeat : Fate::grows};
+  if (variant.repeat_guard == RepeatGuard::on &&
+      skeleton.has_child_at(first + parent.node, position))
+    return Fate::repeat;
+  children.push_back({{position, limited}, parent.node, parent.first_point});
+  return Fate::grows;
+}
+
+/// The children of all shares, in the order of their parents' first points.
+void GrowthStep::append_children(std::int32_t first, LargeVector<SearchableNode>& nodes,
+                                 Skeleton& skeleton) {
+  next_child_.assign(shares_.size(), 0);
+  for (;;) {
+    const Child* next = nullptr;
+    std::size_t from = 0;
+    for (std::size_t i = 0; i < shares_.size(); ++i) {
+      if (next_child_[i] == shares_[i].children.size()) continue;
+      const Child& child = shares_[i].children[next_child_[i]];
+      if (next && next->first_point < child.first_point) continue;
+      next = &child;
+      from = i;
+    }
+    if (!next) return;
+    ++next_child_[from];
+    skeleton.append(first + next->parent, next->node.position);
+    nodes.push_back(next->node);
+  }
 }
 
 }  // namespace phytobench

@@ -42,43 +42,61 @@ class GrowthStep {
   struct GrowingNode {
     Vector3 sum;
     NodeIndex node;
+    PointIndex first_point;
     std::uint32_t points;
     bool changed;  ///< since its last step
   };
   enum class Fate : std::uint8_t { grows, repeat, no_direction };
   struct Child {
     SearchableNode node;
-    Fate fate;
+    NodeIndex parent;
+    PointIndex first_point;  ///< of its parent
   };
   /// What is remembered of a node's last step.
   struct LastStep {
     std::uint32_t points = 0;
     Fate fate = Fate::grows;
   };
+  /// Points that have a node, ascending, and their nodes.
+  struct Associated {
+    std::vector<PointIndex> points;
+    std::vector<NodeIndex> nodes;
+  };
+  /// Some of the nodes, and everything that comes of them: whoever works on it needs nobody else.
+  struct Share {
+    Associated associated;               ///< with one of these nodes
+    std::vector<Attracting> attracting;  ///< those that count; then those of changed nodes
+    std::vector<GrowingNode> growing;    ///< in order of first attraction point
+    std::vector<Child> children;         ///< in the same order
+    Counts counts;
+  };
 
-  std::size_t find_growing(std::span<const Vector3> points, const Assignment& assignment,
-                           std::span<const SearchableNode> nodes);
   void find_nodes(const Assignment& assignment);
+  const Associated& associated_of(Share& share, std::size_t number) const;
+  void grow_share(Share& share, const Associated& associated, std::span<const Vector3> points,
+                  std::int32_t first, std::span<const SearchableNode> nodes,
+                  const Skeleton& skeleton);
+  void find_growing(Share& share, const Associated& associated, std::span<const Vector3> points,
+                    std::span<const SearchableNode> nodes);
   bool is_given_up(const Vector3& point, const SearchableNode& node) const;
-  void note_changes();
-  void sum_pulls(std::span<const Vector3> points, std::span<const SearchableNode> nodes);
-  void find_children(std::int32_t first, std::span<const SearchableNode> nodes,
+  void note_changes(Share& share) const;
+  void sum_pulls(Share& share, std::span<const Vector3> points,
+                 std::span<const SearchableNode> nodes) const;
+  void find_children(Share& share, std::int32_t first, std::span<const SearchableNode> nodes,
                      const Skeleton& skeleton);
-  Child child_of(const GrowingNode& parent, std::int32_t first,
-                 std::span<const SearchableNode> nodes, const Skeleton& skeleton) const;
+  Fate grow_child(const GrowingNode& parent, std::int32_t first, const SearchableNode& node,
+                  const Skeleton& skeleton, std::vector<Child>& children) const;
+  void append_children(std::int32_t first, LargeVector<SearchableNode>& nodes, Skeleton& skeleton);
 
   GrowthParameters parameters_;
   int threads_;
   DirectionLimit limit_;
   Perception perception_;
-  std::vector<PointIndex> associated_;         // points that have a node, ascending
-  std::vector<NodeIndex> node_of_associated_;  // in the same order
-  std::vector<Attracting> attracting_;         // those that count; then those of changed nodes
-  std::vector<Vector3> pulls_;                 // of the attracting points
-  LargeVector<std::int32_t> place_;            // per node its place in growing_, or not_growing
-  LargeVector<LastStep> last_step_;            // per node
-  std::vector<GrowingNode> growing_;           // in order of first attraction point
-  std::vector<Child> children_;                // of the growing nodes
+  std::vector<Associated> associated_;  // one after the other all there are
+  std::vector<Share> shares_;
+  std::vector<std::size_t> next_child_;  // per share
+  LargeVector<std::int32_t> place_;      // per node its place among the growing, or not_growing
+  LargeVector<LastStep> last_step_;      // per node
 };
 
 }  // namespace phytobench

@@ -30,8 +30,12 @@ class PointSet {
   std::size_t bytes() const { return words_.size() * sizeof(std::uint64_t); }
 
   /// Appends the elements of the set to `points`, ascending.
-  void append_to(std::vector<PointIndex>& points) const {
-    for (std::size_t w = 0; w < words_.size(); ++w)
+  void append_to(std::vector<PointIndex>& points) const { append_part_to(points, 0, 1); }
+
+  /// The same for part `part` of `parts` parts that one after the other make up the set.
+  void append_part_to(std::vector<PointIndex>& points, std::size_t part, std::size_t parts) const {
+    const std::size_t end = words_.size() * (part + 1) / parts;
+    for (std::size_t w = words_.size() * part / parts; w < end; ++w)
       for (std::uint64_t word = words_[w]; word != 0; word &= word - 1)
         points.push_back(static_cast<PointIndex>(64 * w) + std::countr_zero(word));
   }

@@ -33,15 +33,10 @@ class NodeDriven final : public NearestNodeEngine {
   }
 
   Assignment associate(std::span<const SearchableNode> new_nodes) override {
-    found_.clear();
-    search_->associate(new_nodes, nodes_, found_);
+    reached_.clear();
+    search_->associate(new_nodes, nodes_, {node_of_point_.data(), node_of_point_.size()}, reached_);
     nodes_ += static_cast<NodeIndex>(new_nodes.size());
-    for (std::size_t i = 0; i < found_.size(); ++i) {
-      prefetch_node_of(found_[std::min(i + steps_ahead, found_.size() - 1)].point);
-      NodeIndex& node = node_of_point_[static_cast<std::size_t>(found_[i].point)];
-      if (node == no_node) associated_.insert(found_[i].point);
-      if (!found_[i].tie || found_[i].node < node) node = found_[i].node;
-    }
+    for (const PointIndex point : reached_) associated_.insert(point);
     return {{node_of_point_.data(), node_of_point_.size()}, associated_};
   }
 
@@ -79,7 +74,7 @@ class NodeDriven final : public NearestNodeEngine {
   PointSearch* search_ = &rows_;  ///< the one that suits the points
   LargeArray<NodeIndex> node_of_point_;
   PointSet associated_;
-  std::vector<Association> found_;
+  std::vector<PointIndex> reached_;
   std::vector<PointIndex> removed_;
   std::size_t live_points_ = 0;
   NodeIndex nodes_ = 0;

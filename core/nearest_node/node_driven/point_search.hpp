@@ -8,24 +8,17 @@
 
 namespace phytobench {
 
-/// A point and the node that it belongs to from now on; of a tie only if its node so far has a
-/// higher number.
-struct Association {
-  PointIndex point;
-  NodeIndex node;
-  bool tie;
-};
-
 /// A static index over the live points, asked by nodes: which points do you come nearer to than any
 /// node before? It remembers every point's smallest squared distance so far.
 class PointSearch {
  public:
   virtual ~PointSearch() = default;
 
-  /// Appends the points that one of `nodes`, numbered from `first`, perceives and is nearer to than
-  /// every node before; also ties among `nodes`. To be applied in that order.
+  /// Gives the points that one of `nodes`, numbered from `first`, perceives and is nearer to than
+  /// every node before the nearest of them, at equal distances the first; appends those that had
+  /// no_node to `reached`, in any order.
   virtual void associate(std::span<const SearchableNode> nodes, NodeIndex first,
-                         std::vector<Association>& found) = 0;
+                         std::span<NodeIndex> node_of_point, std::vector<PointIndex>& reached) = 0;
 
   /// Removes the live points with a squared distance <= squared_kill to one of `killers`, and
   /// appends them.

@@ -176,6 +176,7 @@ enum class Calls { remove_first, associate_first, associate_only, remove_others 
 
 struct Outcome {
   std::size_t wrong_nodes = 0;
+  std::size_t wrong_reached = 0;
   std::size_t wrong_removals = 0;
   std::size_t associations = 0;
   std::size_t removals = 0;
@@ -186,15 +187,17 @@ Outcome compare(PointSearch& search, const Scene& scene, Calls calls) {
   Truth truth(scene);
   Outcome outcome;
   std::vector<NodeIndex> node(scene.points.size(), no_node);
-  std::vector<Association> found;
   const auto associate = [&](const std::vector<SearchableNode>& batch) {
-    found.clear();
-    search.associate(batch, truth.count, found);
-    for (const Association& a : found) {
-      NodeIndex& mine = node[static_cast<std::size_t>(a.point)];
-      if (!a.tie || a.node < mine) mine = a.node;
-    }
-    outcome.associations += found.size();
+    const std::vector<NodeIndex> before = node;
+    std::vector<PointIndex> unreached, reached;
+    for (std::size_t i = 0; i < node.size(); ++i)
+      if (node[i] == no_node) unreached.push_back(static_cast<PointIndex>(i));
+    search.associate(batch, truth.count, node, reached);
+    std::sort(reached.begin(), reached.end());
+    std::erase_if(unreached,
+                  [&](PointIndex i) { return node[static_cast<std::size_t>(i)] == no_node; });
+    outcome.wrong_reached += reached != unreached;
+    for (std::size_t i = 0; i < node.size(); ++i) outcome.associations += node[i] != before[i];
     truth.associate(batch);
     for (std::size_t i = 0; i < node.size(); ++i) outcome.wrong_nodes += node[i] != truth.node[i];
   };
@@ -228,6 +231,7 @@ constexpr Calls all_calls[] = {Calls::remove_first, Calls::associate_first, Call
 
 void expect_right(const Outcome& outcome, const std::string& what) {
   EXPECT_EQ(outcome.wrong_nodes, 0u) << what;
+  EXPECT_EQ(outcome.wrong_reached, 0u) << what;
   EXPECT_EQ(outcome.wrong_removals, 0u) << what;
 }
 

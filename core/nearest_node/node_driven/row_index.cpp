@@ -77,6 +77,7 @@ RowIndex::Cell RowIndex::cell_of(const Vector3& point) const {
   const auto z = std::min(static_cast<std::int32_t>((point.z - shape_.low.z) * inverse_row_),
                           shape_.rows_z - 1);
   const std::int32_t x = cell_along_x(point);
+  if (shape_.slabs == 1) return {z * shape_.rows_y + y, x};  // dividing would take the most time
   const std::int32_t slab = x / shape_.cells();
   return {(slab * shape_.rows_z + z) * shape_.rows_y + y, x - slab * shape_.cells()};
 }

@@ -39,6 +39,9 @@ bool suits(const BoundingBox& box, std::size_t count, double reach) {
 /// Not worth sorting.
 constexpr std::size_t few_nodes = 64;
 
+/// Points lie anywhere in memory: asked for so many steps before they are needed.
+constexpr std::size_t steps_ahead = 16;
+
 /// 40^3 bricks have 16-bit numbers.
 constexpr std::uint32_t bricks_per_edge = 40;
 
@@ -162,7 +165,7 @@ bool RowSearch::was_scanned(std::span<const SearchableNode> nodes) const {
 }
 
 void RowSearch::associate(std::span<const SearchableNode> nodes, NodeIndex first,
-                          std::vector<Association>& found) {
+                          std::span<NodeIndex> node_of_point, std::vector<PointIndex>& reached) {
   std::size_t from = 0;
   ++associations_;
   if (sees_kills_only_) look_as_far_as(setup_.influence_distance);
@@ -176,22 +179,30 @@ void RowSearch::associate(std::span<const SearchableNode> nodes, NodeIndex first
     }
   }
   scanned_.clear();
-  for_each_layer([&](Layer& layer) { apply(layer, from, first); });
+  for_each_layer([&](Layer& layer) { apply(layer, from, first, node_of_point); });
   for (const Layer& layer : layers_)
-    found.insert(found.end(), layer.found.begin(), layer.found.end());
+    reached.insert(reached.end(), layer.reached.begin(), layer.reached.end());
 }
 
-void RowSearch::apply(Layer& layer, std::size_t from, NodeIndex first) {
-  layer.found.clear();
-  for (const ScanHit& hit : layer.result.hits.items()) {
+void RowSearch::apply(Layer& layer, std::size_t from, NodeIndex first,
+                      std::span<NodeIndex> node_of_point) {
+  layer.reached.clear();
+  const std::span<const ScanHit> hits = layer.result.hits.items();
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const PointIndex soon = index_.original(hits[std::min(i + steps_ahead, hits.size() - 1)].slot);
+    __builtin_prefetch(&node_of_point[static_cast<std::size_t>(soon)], 1);
+    const ScanHit& hit = hits[i];
     if (static_cast<std::size_t>(hit.node) < from) continue;
     double& best = index_.best(hit.slot);
     if (hit.squared_distance > best) continue;
     // Equal only if another of these nodes came as near.
     const bool tie = hit.squared_distance == best;
     best = hit.squared_distance;
-    layer.found.push_back(
-        {index_.original(hit.slot), first + hit.node - static_cast<NodeIndex>(from), tie});
+    const PointIndex point = index_.original(hit.slot);
+    const NodeIndex number = first + hit.node - static_cast<NodeIndex>(from);
+    NodeIndex& node = node_of_point[static_cast<std::size_t>(point)];
+    if (node == no_node) layer.reached.push_back(point);
+    if (!tie || number < node) node = number;
   }
   layer.result.hits.clear();
 }
@@ -230,7 +241,7 @@ std::size_t RowSearch::bytes() const {
     bytes += layer.result.bytes() + layer.chosen.capacity() * sizeof(std::int32_t) +
              layer.sorted.capacity() * sizeof(std::int32_t) +
              layer.bricks.capacity() * sizeof(std::uint16_t) +
-             layer.found.capacity() * sizeof(Association);
+             layer.reached.capacity() * sizeof(PointIndex);
   return bytes;
 }
 

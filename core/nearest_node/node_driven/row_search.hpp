@@ -20,7 +20,7 @@ class RowSearch final : public PointSearch {
   bool reset(std::span<const Vector3> points, const EngineSetup& setup);
 
   void associate(std::span<const SearchableNode> nodes, NodeIndex first,
-                 std::vector<Association>& found) override;
+                 std::span<NodeIndex> node_of_point, std::vector<PointIndex>& reached) override;
   void remove(std::span<const SearchableNode> killers, double squared_kill,
               std::vector<PointIndex>& removed) override;
   std::size_t bytes() const override;
@@ -34,7 +34,7 @@ class RowSearch final : public PointSearch {
     std::vector<std::int32_t> chosen;
     std::vector<std::uint16_t> bricks;  ///< where the chosen are
     std::vector<std::int32_t> sorted;   ///< scratch of the sort
-    std::vector<Association> found;
+    std::vector<PointIndex> reached;
     ScanResult result;
   };
 
@@ -44,7 +44,7 @@ class RowSearch final : public PointSearch {
   bool was_scanned(std::span<const SearchableNode> nodes) const;
   void choose_nodes(Layer& layer, std::span<const SearchableNode> nodes) const;
   void sort_by_brick(Layer& layer, std::span<const SearchableNode> nodes) const;
-  void apply(Layer& layer, std::size_t from, NodeIndex first);
+  void apply(Layer& layer, std::size_t from, NodeIndex first, std::span<NodeIndex> node_of_point);
   void compact_if_worthwhile();
   template <class Body>
   void for_each_layer(const Body& body);

@@ -29,6 +29,7 @@ struct TreeSearch::Visit {
   const SearchableNode& node;
   NodeIndex number;
   const Perception& perception;
+  std::span<NodeIndex> node_of_point;
 };
 
 void TreeSearch::reset(std::span<const Vector3> points, const EngineSetup& setup) {
@@ -96,7 +97,7 @@ void TreeSearch::update_above(std::int32_t branch, int depth) {
 template <class Body>
 void TreeSearch::for_each_part(const Body& body) {
   for_tasks(parts_.size(), setup_.threads, [&](std::size_t i) {
-    parts_[i].found.clear();
+    parts_[i].reached.clear();
     parts_[i].removed.clear();
     parts_[i].work = {};
     body(parts_[i]);
@@ -106,14 +107,15 @@ void TreeSearch::for_each_part(const Body& body) {
 }
 
 void TreeSearch::associate(std::span<const SearchableNode> nodes, NodeIndex first,
-                           std::vector<Association>& found) {
+                           std::span<NodeIndex> node_of_point, std::vector<PointIndex>& reached) {
   const Perception perception(setup_.influence_distance, setup_.perception_half_angle_rad);
   for_each_part([&](Part& part) {
     NodeIndex number = first;
     for (const SearchableNode& node : nodes)
-      associate_in(part.branch, {node, number++, perception}, part);
+      associate_in(part.branch, {node, number++, perception, node_of_point}, part);
   });
-  for (const Part& part : parts_) found.insert(found.end(), part.found.begin(), part.found.end());
+  for (const Part& part : parts_)
+    reached.insert(reached.end(), part.reached.begin(), part.reached.end());
 }
 
 void TreeSearch::associate_in(std::int32_t branch, const Visit& visit, Part& part) {
@@ -139,7 +141,9 @@ void TreeSearch::associate_leaf(Branch& leaf, const Visit& visit, Part& part) {
     if (squared < point.best &&
         visit.perception.within_angle(node.position, node.direction, point.position, squared)) {
       point.best = squared;
-      part.found.push_back({point.index, visit.number, false});
+      NodeIndex& nearest = visit.node_of_point[static_cast<std::size_t>(point.index)];
+      if (nearest == no_node) part.reached.push_back(point.index);
+      nearest = visit.number;
     }
     worst = std::max(worst, point.best);
   }

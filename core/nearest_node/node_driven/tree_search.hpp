@@ -17,7 +17,7 @@ class TreeSearch final : public PointSearch {
   void reset(std::span<const Vector3> points, const EngineSetup& setup);
 
   void associate(std::span<const SearchableNode> nodes, NodeIndex first,
-                 std::vector<Association>& found) override;
+                 std::span<NodeIndex> node_of_point, std::vector<PointIndex>& reached) override;
   void remove(std::span<const SearchableNode> killers, double squared_kill,
               std::vector<PointIndex>& removed) override;
   std::size_t bytes() const override;
@@ -39,7 +39,7 @@ class TreeSearch final : public PointSearch {
   /// A subtree that one thread searches, and what it finds there.
   struct Part {
     std::int32_t branch;
-    std::vector<Association> found;
+    std::vector<PointIndex> reached;
     std::vector<PointIndex> removed;
     WorkCounters work;
   };
