@@ -5,10 +5,12 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -47,9 +49,9 @@ inline std::string text_at(const nlohmann::json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// Starts the program in `folder` with its output in files and waits for it.
-inline int exit_code_of(const Words& arguments, const std::filesystem::path& folder,
-                        const std::filesystem::path& out, const std::filesystem::path& err) {
+/// Starts the program in `folder` with its output in files; 0 if that fails.
+inline pid_t start(const Words& arguments, const std::filesystem::path& folder,
+                   const std::filesystem::path& out, const std::filesystem::path& err) {
   Words words = {PHYTOBENCH_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -69,12 +71,44 @@ inline int exit_code_of(const Words& arguments, const std::filesystem::path& fol
   ::posix_spawn_file_actions_destroy(&actions);
   if (error != 0) {
     ADD_FAILURE() << PHYTOBENCH_PROGRAM << ": " << std::strerror(error);
-    return -1;
+    return 0;
   }
+  return child;
+}
+
+/// Waits for a program; -1 if it was killed.
+inline int exit_code_of(pid_t child) {
   int status = 0;
-  if (::waitpid(child, &status, 0) != child || !WIFEXITED(status)) return -1;
+  if (child == 0 || ::waitpid(child, &status, 0) != child || !WIFEXITED(status)) return -1;
   return WEXITSTATUS(status);
 }
+
+inline int exit_code_of(const Words& arguments, const std::filesystem::path& folder,
+                        const std::filesystem::path& out, const std::filesystem::path& err) {
+  return exit_code_of(start(arguments, folder, out, err));
+}
+
+/// While it lives, neither this process nor those it starts can write files larger than so many
+/// bytes: to them the disk is full there.
+class SmallFilesOnly {
+ public:
+  explicit SmallFilesOnly(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);  // inherited: writing fails instead of killing
+    EXPECT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  }
+  ~SmallFilesOnly() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  SmallFilesOnly(const SmallFilesOnly&) = delete;
+  SmallFilesOnly& operator=(const SmallFilesOnly&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = SIG_DFL;
+};
 
 /// A fresh working folder for one test, removed afterwards.
 class CommandLine : public testing::Test {
@@ -105,6 +139,18 @@ class CommandLine : public testing::Test {
   Outcome run_on_full_disk(const Words& arguments) const {
     Outcome outcome;
     outcome.code = exit_code_of(arguments, folder(), "/dev/full", root_ / "err");
+    outcome.err = content_of(root_ / "err");
+    return outcome;
+  }
+
+  /// The same with Ctrl-C after so many milliseconds; code -1 if that killed it.
+  Outcome run_and_interrupt(const Words& arguments, int milliseconds) const {
+    Outcome outcome;
+    const pid_t child = start(arguments, folder(), root_ / "out", root_ / "err");
+    ::usleep(static_cast<useconds_t>(1000 * milliseconds));
+    if (child != 0) ::kill(child, SIGINT);
+    outcome.code = exit_code_of(child);
+    outcome.out = content_of(root_ / "out");
     outcome.err = content_of(root_ / "err");
     return outcome;
   }

@@ -85,6 +85,39 @@ TEST_F(GrowCommand, LeavesWhatWasThereWhenItCannotWrite) {
   EXPECT_FALSE(exists("kept/tree.mtl"));
 }
 
+TEST_F(GrowCommand, LeavesWhatWasThereWhenTheDiskIsFull) {
+  write("bush.obj", "old\n");
+  write("bush.mtl", "old, too\n");
+  const std::set<std::string> before = left_behind();
+  {
+    const SmallFilesOnly full(100'000);
+    expect_refused({"grow", "--preset", "figure-44-left", "--out", "bush.obj,bush.glb"}, 3,
+                   "bush.obj");
+  }
+  EXPECT_EQ(left_behind(), before);
+  EXPECT_EQ(read("bush.obj"), "old\n");
+  EXPECT_EQ(read("bush.mtl"), "old, too\n");
+  output_of({"grow", "--preset", "figure-44-left", "--out", "bush.obj,bush.glb"});
+  EXPECT_GT(read("bush.obj").size(), 100'000u);
+}
+
+TEST_F(GrowCommand, StopsAtCtrlCAndLeavesNothing) {
+  // Ten seconds of growth and more. How long it takes to start nobody knows; before it grows, the
+  // signal just kills it.
+  const Words slow = {"grow",           "--preset", "figure-52", "--engine",
+                      "euclidean_scan", "--out",    "big.obj"};
+  const std::set<std::string> before = left_behind();
+  Outcome outcome;
+  for (int milliseconds = 100; outcome.code != 130 && milliseconds < 5000; milliseconds *= 2) {
+    outcome = run_and_interrupt(slow, milliseconds);
+    EXPECT_EQ(left_behind(), before);
+    EXPECT_NE(outcome.code, 0);
+  }
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(line_count(outcome.err), 1) << outcome.err;
+}
+
 TEST_F(GrowCommand, NamesATextureThatIsMissingOrNoPicture) {
   write("bark.toml", "colours.bark_texture = \"none.png\"\n");
   expect_refused({"grow", "bark.toml", "--out", "x.obj"}, 2, "none.png");

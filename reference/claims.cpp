@@ -25,8 +25,8 @@ constexpr std::array<std::string_view, 7> whys = {
     "sampling error", "floating point", "stated bound"};
 constexpr std::array<std::string_view, 3> tiers = {"smoke", "quick", "full"};
 constexpr std::array<std::string_view, 2> origins = {"published", "derived"};
-constexpr std::array<std::string_view, 7> subjects = {
-    "value", "ratio", "ratio-of-ratios", "sum", "same", "different", "matches"};
+constexpr std::array<std::string_view, 8> subjects = {
+    "value", "ratio", "ratio-of-ratios", "sum", "same", "different", "exponent", "matches"};
 
 /// The text of a key, which must be one of the words.
 template <std::size_t Count>
@@ -57,6 +57,7 @@ void check_term_size(const TomlTable& table, CheckSubject subject, std::size_t s
                      : subject == CheckSubject::matches         ? size == 1
                      : subject == CheckSubject::ratio           ? size == 2
                      : subject == CheckSubject::ratio_of_ratios ? size == 4
+                     : subject == CheckSubject::exponent        ? size >= 6 && size % 2 == 0
                                                                 : size >= 2;
   if (!right) table.fail("a term of this check has the wrong number of measurements");
 }
@@ -66,6 +67,9 @@ void check_bounds(const TomlTable& table, const ClaimCheck& check) {
   const bool counts = check.subject == CheckSubject::matches;
   if (counts && !(check.equals_text && (check.low || check.high || check.equals)))
     table.fail("'matches' needs 'equals_text', and bounds of how many there are");
+  const std::vector<double>& steps = check.accident_steps;
+  if (!steps.empty() && !(counts && steps.size() == 2 && steps[0] >= 1.0 && steps[1] >= 1.0))
+    table.fail("'accident_steps' are two numbers of at least 1 and go with of = \"matches\" only");
   const int forms = (check.low || check.high ? 1 : 0) + (check.equals ? 1 : 0) +
                     (check.equals_text && !counts ? 1 : 0);
   if (forms > 1) table.fail("use either 'low' and 'high', or 'equals', or 'equals_text'");
@@ -76,7 +80,8 @@ void check_bounds(const TomlTable& table, const ClaimCheck& check) {
 }
 
 ClaimCheck check_from(const TomlTable& table, const std::string& paper) {
-  table.allow_only({"of", "terms", "low", "high", "equals", "equals_text", "required", "why"});
+  table.allow_only(
+      {"of", "terms", "low", "high", "equals", "equals_text", "accident_steps", "required", "why"});
   ClaimCheck check;
   check.subject = static_cast<CheckSubject>(word(table, "of", subjects));
   for (const std::vector<std::string>& term : table.text_lists("terms")) {
@@ -93,6 +98,7 @@ ClaimCheck check_from(const TomlTable& table, const std::string& paper) {
   check.high = table.number_if_given("high");
   check.equals = table.number_if_given("equals");
   if (table.has("equals_text")) check.equals_text = table.text("equals_text");
+  if (table.has("accident_steps")) check.accident_steps = table.numbers("accident_steps");
   const bool compares =
       check.subject == CheckSubject::same || check.subject == CheckSubject::different;
   const bool bounded = check.low || check.high || check.equals || check.equals_text;

@@ -37,6 +37,7 @@ enum class CheckSubject {
   sum,              ///< each term {"+a", "-b", ...}
   same,             ///< all measurements of a term are identical
   different,        ///< not all measurements of a term are identical
+  exponent,         ///< each term {y1, x1, y2, x2, y3, x3, ...}: k of the fit y = c x^k
   matches,          ///< each term {prefix}: how many measurements that start so are `equals_text`
 };
 
@@ -48,6 +49,9 @@ struct ClaimCheck {
   std::optional<double> high;
   std::optional<double> equals;
   std::optional<std::string> equals_text;
+  /// Of `matches` with texts of two whole numbers: the steps in which each of them varies. Says how
+  /// many matches to expect by accident.
+  std::vector<double> accident_steps;
   std::size_t required = 0;  ///< how many terms must hold
   std::string why;           ///< kind of reason for the bounds
 };

@@ -157,8 +157,10 @@ void GrowthStep::sum_pulls(Share& share, std::span<const Vector3> points,
   const AttractionSum kind = parameters_.variant.attraction_sum;
   const std::vector<Attracting>& attracting = share.attracting;
   for (std::size_t i = 0; i < attracting.size(); ++i) {
-    const PointIndex soon = attracting[std::min(i + steps_ahead, attracting.size() - 1)].point;
-    __builtin_prefetch(&points[static_cast<std::size_t>(soon)]);
+    const Attracting& soon = attracting[std::min(i + steps_ahead, attracting.size() - 1)];
+    __builtin_prefetch(&points[static_cast<std::size_t>(soon.point)]);
+    const NodeIndex its_node = share.growing[static_cast<std::size_t>(soon.place)].node;
+    __builtin_prefetch(&nodes[static_cast<std::size_t>(its_node)]);
     GrowingNode& growing = share.growing[static_cast<std::size_t>(attracting[i].place)];
     growing.sum =
         growing.sum + attraction(nodes[static_cast<std::size_t>(growing.node)].position,

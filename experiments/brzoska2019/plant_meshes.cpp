@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Whether the thesis' plants are what it says of them: hanging branches, meshes, leaves, parts.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 
 #include "core/tree/branches.hpp"
@@ -127,13 +129,58 @@ void record_excurrent(ExperimentContext& context) {
 struct MeshLaws {
   double off_plane = 0.0, normal_length = 0.0, seam = 0.0;
   std::int64_t not_finite = 0, flat_triangles = 0, inward = 0;
+  std::int64_t facing_axis = 0;
+  double facing_axis_least_lean = 180.0;
 };
+
+/// Planes of the rings of a mesh, duplicates included, from its own corners.
+std::vector<std::pair<Vector3, Vector3>> ring_planes(const TriangleMesh& mesh,
+                                                     std::size_t ring_size) {
+  std::vector<std::pair<Vector3, Vector3>> planes;
+  for (std::size_t first = 0; first < mesh.vertex_count(); first += ring_size) {
+    Vector3 center{}, normal{};
+    for (std::size_t i = 0; i + 1 < ring_size; ++i) {
+      const Vector3 &a = mesh.positions[first + i], &b = mesh.positions[first + i + 1];
+      center = center + a / static_cast<double>(ring_size - 1);
+      normal = normal + cross(b - mesh.positions[first], a - mesh.positions[first]);
+    }
+    planes.push_back({center, normal});
+  }
+  return planes;
+}
+
+/// Of a triangle's two rings, how far the more oblique one leans from across their branch, in
+/// degrees.
+double lean_deg(const Triangle& triangle, std::size_t ring_size,
+                const std::vector<std::pair<Vector3, Vector3>>& planes) {
+  const auto& low = planes[triangle[0] / ring_size];
+  const auto& high = planes[triangle[1] / ring_size];
+  const Vector3 axis = high.first - low.first;
+  const auto lean = [&](const Vector3& normal) {
+    return std::atan2(norm(cross(normal, axis)), dot(normal, axis)) * 180.0 / std::numbers::pi;
+  };
+  return std::max(lean(low.second), lean(high.second));
+}
+
+/// Whether a triangle shows its outside to the line between the centers of its two rings.
+bool faces_axis(const TriangleMesh& mesh, const Triangle& triangle, const Vector3& normal,
+                std::size_t ring_size, const std::vector<std::pair<Vector3, Vector3>>& planes) {
+  const Vector3& low = planes[triangle[0] / ring_size].first;
+  const Vector3 axis = planes[triangle[1] / ring_size].first - low;
+  const Vector3 middle =
+      (mesh.positions[triangle[0]] + mesh.positions[triangle[1]] + mesh.positions[triangle[2]]) /
+      3.0;
+  const Vector3 off = middle - low;
+  const Vector3 away = off - (dot(off, axis) / dot(axis, axis)) * axis;
+  return dot(normal, away) < 0.0;
+}
 
 MeshLaws laws_of(const Plant& plant, const PlantParameters& parameters) {
   const TriangleMesh& mesh = plant.branches.mesh;
   const auto ring_size = static_cast<std::size_t>(parameters.branches.circle_resolution) + 1;
   const std::vector<Vector3> normals =
       ring_normals(plant.skeleton, plant.radii, parameters.branches.single_child_normal);
+  const auto planes = ring_planes(mesh, ring_size);
   MeshLaws laws;
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
     laws.not_finite += !is_finite(mesh.positions[i]) || !is_finite(mesh.normals[i]);
@@ -152,8 +199,66 @@ MeshLaws laws_of(const Plant& plant, const PlantParameters& parameters) {
     const Vector3 normal = cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
     laws.flat_triangles += !(norm(normal) > 0.0);
     laws.inward += dot(normal, mesh.normals[t[0]] + mesh.normals[t[1]] + mesh.normals[t[2]]) < 0.0;
+    if (!faces_axis(mesh, t, normal, ring_size, planes)) continue;
+    ++laws.facing_axis;
+    laws.facing_axis_least_lean =
+        std::min(laws.facing_axis_least_lean, lean_deg(t, ring_size, planes));
   }
   return laws;
+}
+
+struct Topology {
+  std::int64_t characteristic = 0;
+  std::int64_t boundary_edges = 0;
+};
+
+/// Vertices at one place count as one, as a viewer sees them.
+Topology topology_of(const TriangleMesh& mesh) {
+  std::map<std::array<double, 3>, std::uint32_t> number_at;
+  std::vector<std::uint32_t> number;
+  for (const Vector3& p : mesh.positions)
+    number.push_back(
+        number_at.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(number_at.size()))
+            .first->second);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      edges.push_back(std::minmax({number[t[i]], number[t[(i + 1) % 3]]}));
+  std::sort(edges.begin(), edges.end());
+  std::int64_t different = 0, single = 0;
+  for (std::size_t i = 0, next = 0; i < edges.size(); i = next) {
+    while (next < edges.size() && edges[next] == edges[i]) ++next;
+    ++different;
+    single += next - i == 1;
+  }
+  return {static_cast<std::int64_t>(number_at.size()) - different +
+              static_cast<std::int64_t>(mesh.triangle_count()),
+          single};
+}
+
+/// Open ends that the skeleton asks for: the root, every tip, every ring of a branch's own, and
+/// every ring that all branches above leave through rings of their own.
+std::int64_t expected_loops(const Plant& plant, double duplicate_ratio) {
+  const ChildLists children(plant.skeleton);
+  std::size_t loops = 1 + plant.branches.duplicated_rings;
+  for (std::size_t node = 1; node < plant.skeleton.node_count(); ++node) {
+    const auto above = children.of(static_cast<std::int32_t>(node));
+    loops += std::all_of(above.begin(), above.end(), [&](std::int32_t child) {
+      return needs_own_ring(plant.radii[static_cast<std::size_t>(child)], plant.radii[node],
+                            duplicate_ratio);
+    });
+  }
+  return whole(loops);
+}
+
+void record_topology(ExperimentContext& context, const std::string& name, const Plant& plant,
+                     const BranchMeshOptions& options) {
+  const Topology topology = topology_of(plant.branches.mesh);
+  context.record(name + "/euler_characteristic", topology.characteristic);
+  context.record(name + "/boundary_loops",
+                 static_cast<double>(topology.boundary_edges) / options.circle_resolution);
+  context.record(name + "/expected_loops",
+                 static_cast<double>(expected_loops(plant, options.duplicate_ratio)));
 }
 
 void record_meshes(ExperimentContext& context) {
@@ -170,6 +275,9 @@ void record_meshes(ExperimentContext& context) {
     context.record(name + "/not_finite", laws.not_finite);
     context.record(name + "/flat_triangles", laws.flat_triangles);
     context.record(name + "/inward_triangles", laws.inward);
+    context.record(name + "/triangles_facing_axis", laws.facing_axis);
+    context.record(name + "/facing_axis_least_lean", laws.facing_axis_least_lean, "degrees");
+    record_topology(context, name, plant, parameters.plant.branches);
   }
 }
 

@@ -2,11 +2,15 @@
 #include "reports/judge/judge.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <sstream>
 
 #include <fmt/format.h>
+
+#include "core/statistics/power_law.hpp"
 
 namespace phytobench {
 
@@ -27,6 +31,9 @@ std::string expression_of(const ClaimCheck& check, const std::vector<std::string
     case CheckSubject::ratio_of_ratios:
       return "(" + short_name(term[0]) + " : " + short_name(term[1]) + ") : (" +
              short_name(term[2]) + " : " + short_name(term[3]) + ")";
+    case CheckSubject::exponent:
+      return fmt::format("exponent of {} against {} and {} more pairs", short_name(term[0]),
+                         short_name(term[1]), term.size() / 2 - 1);
     case CheckSubject::sum: {
       std::string text;
       for (const std::string& part : term)
@@ -131,6 +138,35 @@ JudgedTerm judge_text(const ClaimCheck& check, const std::string& measurement,
   return judged;
 }
 
+/// "15344 20046", or nothing.
+std::optional<std::array<double, 2>> two_numbers(const RecordValue& value) {
+  const auto* const text = std::get_if<std::string>(&value);
+  if (!text) return std::nullopt;
+  std::istringstream stream(*text);
+  std::array<double, 2> numbers{};
+  if (!(stream >> numbers[0] >> numbers[1])) return std::nullopt;
+  return numbers;
+}
+
+/// How many values would equal a pair of numbers that has nothing to do with them: those nearby, a
+/// few steps in each number, over the pairs that lie there. Equal ones do not count.
+double expected_accidents(const ClaimCheck& check, const std::vector<RecordValue>& values) {
+  constexpr double reach = 10.0;
+  const auto wanted = two_numbers(RecordValue(*check.equals_text));
+  if (!wanted) return std::numeric_limits<double>::quiet_NaN();
+  const auto steps_off = [&](const std::array<double, 2>& pair, std::size_t i) {
+    return std::abs(pair[i] - (*wanted)[i]) / check.accident_steps[i];
+  };
+  double near = 0.0;
+  for (const RecordValue& value : values) {
+    const auto pair = two_numbers(value);
+    near +=
+        pair && *pair != *wanted && steps_off(*pair, 0) <= reach && steps_off(*pair, 1) <= reach;
+  }
+  const double across = 2.0 * reach + 1.0;
+  return near / (across * across - 1.0);
+}
+
 JudgedTerm judge_matches(const ClaimCheck& check, const std::string& prefix,
                          const Evidence& evidence, JudgedTerm judged) {
   const std::vector<RecordValue> values = evidence.recorded_below(prefix);
@@ -138,7 +174,32 @@ JudgedTerm judge_matches(const ClaimCheck& check, const std::string& prefix,
   const auto count = static_cast<double>(
       std::count(values.begin(), values.end(), RecordValue(*check.equals_text)));
   judged.measured = fmt::format("{:.0f} of {}", count, values.size());
+  if (!check.accident_steps.empty())
+    judged.measured +=
+        fmt::format(", {:.1f} expected by accident", expected_accidents(check, values));
   judged.outcome = outcome_of({count, count, count}, check);
+  return judged;
+}
+
+/// The fit is over the medians: how far the points lie from a power law says more than how far
+/// repetitions of one lie apart.
+JudgedTerm judge_exponent(const ClaimCheck& check, const std::vector<std::string>& term,
+                          const Evidence& evidence, JudgedTerm judged) {
+  std::vector<double> x, y;
+  for (std::size_t i = 0; i < term.size(); ++i) {
+    const std::vector<double> samples = evidence.samples(term[i]);
+    if (samples.empty()) return judged;
+    (i % 2 == 0 ? y : x).push_back(median_estimate(samples).value);
+  }
+  const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
+  judged.outcome = CheckOutcome::fails;
+  judged.measured = "no power law";
+  if (!std::all_of(x.begin(), x.end(), positive) || !std::all_of(y.begin(), y.end(), positive))
+    return judged;
+  const auto law = fit_power_law(x, y);
+  if (!law) return judged;
+  judged.measured = shown_estimate(law->exponent);
+  judged.outcome = outcome_of(law->exponent, check);
   return judged;
 }
 
@@ -177,6 +238,7 @@ JudgedTerm judge_term(const ClaimCheck& check, const std::vector<std::string>& t
     return judge_comparison(check, term, evidence, judged);
   if (check.subject == CheckSubject::matches)
     return judge_matches(check, term[0], evidence, judged);
+  if (check.subject == CheckSubject::exponent) return judge_exponent(check, term, evidence, judged);
   if (check.equals_text) return judge_text(check, term[0], evidence, judged);
   const std::vector<double> combined = combined_by_round(check, term, evidence);
   if (combined.empty()) return judged;

@@ -554,5 +554,63 @@ TEST(JudgeMatches, CountsMeasurementsThatStartSoAndAreEqual) {
   EXPECT_EQ(verdict(at_least(1, how_many_are("p/e/none/", "4 6"))).verdict, Verdict::not_measured);
 }
 
+TEST(JudgeMatches, SaysHowManyToExpectByAccident) {
+  // Of the 21 x 21 pairs around it all but the wanted one are there, each twice; others lie beyond.
+  std::vector<Record> records;
+  const auto add = [&](int vertices, int triangles) {
+    records.push_back(measured_text("p/e/seeds/" + std::to_string(records.size()),
+                                    std::to_string(vertices) + " " + std::to_string(triangles)));
+  };
+  for (int i = -11; i <= 11; ++i)
+    for (int j = -11; j <= 11; ++j)
+      for (int times = 0; times < 2; ++times)
+        if (i != 0 || j != 0) add(400 + 4 * i, 600 + 6 * j);
+  ClaimCheck check = at_least(1, how_many_are("p/e/seeds/", "400 600"));
+  check.accident_steps = {4.0, 6.0};
+  Claim claim;
+  claim.checks = {check};
+  const Judgement judgement = judge(claim, evidence_of(records), Tier::full);
+  EXPECT_EQ(judgement.measured, "0 of 1056, 2.0 expected by accident");
+  EXPECT_EQ(judgement.verdict, Verdict::not_reproduced);
+}
+
+/// y = 3 x^k, written down as pairs.
+std::vector<Record> power_law_records(double exponent) {
+  std::vector<Record> records;
+  for (const double x : {1.0, 2.0, 4.0, 8.0}) {
+    const std::string name = "p/e/" + std::to_string(static_cast<int>(x));
+    records.push_back(measured_real(name + "/x", x));
+    records.push_back(measured_real(name + "/y", 3.0 * std::pow(x, exponent)));
+  }
+  return records;
+}
+
+ClaimCheck exponent_check() {
+  return check_of(CheckSubject::exponent, {{"p/e/1/y", "p/e/1/x", "p/e/2/y", "p/e/2/x", "p/e/4/y",
+                                            "p/e/4/x", "p/e/8/y", "p/e/8/x"}});
+}
+
+TEST(JudgeExponent, DecidesOnTheFittedInterval) {
+  const auto verdict = [](std::vector<Record> records) {
+    ClaimCheck check = exponent_check();
+    check.low = 0.8;
+    check.high = 1.6;
+    Claim claim;
+    claim.checks = {check};
+    return judge(claim, evidence_of(std::move(records)), Tier::full).verdict;
+  };
+  EXPECT_EQ(verdict(power_law_records(1.2)), Verdict::reproduced);
+  EXPECT_EQ(verdict(power_law_records(2.0)), Verdict::not_reproduced);
+  std::vector<Record> scattered = power_law_records(1.2);
+  scattered[1].value = RecordValue{30.0};
+  EXPECT_EQ(verdict(scattered), Verdict::inconclusive);
+  std::vector<Record> missing = power_law_records(1.2);
+  missing.pop_back();
+  EXPECT_EQ(verdict(missing), Verdict::not_measured);
+  std::vector<Record> negative = power_law_records(1.2);
+  negative[1].value = RecordValue{-3.0};
+  EXPECT_EQ(verdict(negative), Verdict::not_reproduced);
+}
+
 }  // namespace
 }  // namespace phytobench
