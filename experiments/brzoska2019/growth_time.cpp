@@ -114,7 +114,7 @@ constinit const ExperimentDescriptor growth_time{
     .id = "brzoska2019/growth-time",
     .question = "How does the time to grow and to mesh a tree rise with its nodes?",
     .source = "[Brzoska2019] appendix table, sec. 6.1.2",
-    .seconds = {2, 15, 70},
+    .seconds = {3, 15, 120},
     .run = run,
 };
 
