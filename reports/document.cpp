@@ -116,13 +116,13 @@ class DocumentBuilder {
       for (const char* basis : bases) row["by_basis"].push_back({{"count", by_basis[basis]}});
       rows.push_back(row);
     };
-    const auto is_built = [](const Judgement& judgement) {
+    const auto has_checks = [](const Judgement& judgement) {
       return judgement.claim->fixed_verdict != Verdict::not_measured;
     };
     for (const Verdict verdict : all_verdicts)
-      add_row(std::string(name_of(verdict)), verdict, is_built);
-    add_row("not measured: not built yet", Verdict::not_measured,
-            [&](const Judgement& judgement) { return !is_built(judgement); });
+      add_row(std::string(name_of(verdict)), verdict, has_checks);
+    add_row("not measured: no check, with a reason", Verdict::not_measured,
+            [&](const Judgement& judgement) { return !has_checks(judgement); });
     return rows;
   }
 

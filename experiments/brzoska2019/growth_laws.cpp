@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/nearest_node/engine_registry.hpp"
+#include "core/tree/branches.hpp"
 #include "experiments/brzoska2019/observed_growth.hpp"
 #include "experiments/brzoska2019/thesis_tree.hpp"
 #include "experiments/experiment.hpp"
@@ -309,7 +310,31 @@ void record_seeds(ExperimentContext& context) {
                   .spread = deviation});
 }
 
+/// Figure 40's tree with a constant kill distance, the same share of the influence distance in
+/// every iteration: branchings of ten trees together.
+void record_kill_sweep(ExperimentContext& context) {
+  constexpr std::uint64_t seeds = 10;
+  TreeParameters parameters = thesis_tree("figure-40-left");
+  for (const int percent : {40, 50, 60, 70, 80, 90}) {
+    const double distance = percent / 100.0 * parameters.influence_distance;
+    parameters.kill_distance.begin = parameters.kill_distance.end = distance;
+    std::size_t branchings = 0;
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+      parameters.seed = seed;
+      const Skeleton tree = grow_quickly(make_seedling(parameters)).skeleton;
+      const ChildLists children(tree);
+      for (std::size_t node = 0; node < tree.node_count(); ++node)
+        branchings += children.of(static_cast<std::int32_t>(node)).size() > 1;
+    }
+    context.record({.experiment = {},
+                    .measurement = "kill_sweep/" + std::to_string(percent) + "-percent/branchings",
+                    .value = static_cast<std::int64_t>(branchings),
+                    .sample_size = static_cast<std::int64_t>(seeds)});
+  }
+}
+
 void run(ExperimentContext& context) {
+  record_kill_sweep(context);
   record_test_tree(context);
   record_stops(context);
   record_example(context);
@@ -330,7 +355,7 @@ constinit const ExperimentDescriptor growth_laws{
     .question =
         "Do grown trees keep the laws that the thesis' description of space colonization implies?",
     .source = "[Brzoska2019] sec. 3.4.4, 4.1, 5.2",
-    .seconds = {5, 5, 5},
+    .seconds = {6, 6, 6},
     .run = run,
 };
 

@@ -318,7 +318,21 @@ void record_thickness(ExperimentContext& context) {
   }
 }
 
+/// Figure 42's cloud with its lower half cut off, as the text says, and with a little more.
+void record_cuts(ExperimentContext& context) {
+  TreeParameters parameters = thesis_tree("figure-42-left");
+  for (const int percent : {50, 60}) {
+    parameters.cloud.cutoff_bottom = percent / 100.0;
+    const Plant plant =
+        make_plant(grow_thesis_tree(parameters, context.threads()), parameters.plant);
+    const std::string name = "cut/" + std::to_string(percent) + "-percent";
+    context.record(name + "/vertices", whole(plant.vertex_count()));
+    context.record(name + "/triangles", whole(plant.triangle_count()));
+  }
+}
+
 void run(ExperimentContext& context) {
+  record_cuts(context);
   record_hanging(context);
   record_stem_side_effect(context);
   record_excurrent(context);
