@@ -9,11 +9,11 @@
 #include <numbers>
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include "core/nearest_node/node_driven/row_search.hpp"
 #include "core/nearest_node/node_driven/tree_search.hpp"
 #include "core/nearest_node/perception.hpp"
+#include "core/parallel/vector_targets.hpp"
 #include "core/random/counter_stream.hpp"
 
 namespace phytobench {
@@ -234,28 +234,6 @@ void expect_right(const Outcome& outcome, const std::string& what) {
   EXPECT_EQ(outcome.wrong_reached, 0u) << what;
   EXPECT_EQ(outcome.wrong_removals, 0u) << what;
 }
-
-/// Every instruction set that Highway compiled and this processor has.
-std::vector<std::int64_t> vector_targets() {
-  std::vector<std::int64_t> targets;
-  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1)
-    targets.push_back(left & -left);
-  return targets;
-}
-
-class ForcedTarget {
- public:
-  explicit ForcedTarget(std::int64_t target) { force(target); }
-  ~ForcedTarget() { force(0); }
-  ForcedTarget(const ForcedTarget&) = delete;
-  ForcedTarget& operator=(const ForcedTarget&) = delete;
-
- private:
-  static void force(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-};
 
 TEST(RowSearchOracle, EqualsAPlainLoopWithEveryInstructionSetAndAnyThreads) {
   ASSERT_GE(vector_targets().size(), 2u);
