@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/oracles/alsweis_overlap.hpp"
 #include "reference/oracles/brzoska2019_equations.hpp"
 #include "reference/oracles/brzoska2019_space_colonization.hpp"
 #include "reference/papers.hpp"
@@ -57,6 +58,14 @@ double repeated_children(double iterations, bool without_guard) {
 const std::map<std::string, OraclePair>& oracles_by_name() {
   namespace brzoska = oracles::brzoska2019;
   static const std::map<std::string, OraclePair> oracles = {
+      {"alsweis/equation-a4",
+       {3,
+        [](const Arguments& a) {
+          return oracles::alsweis::equation_a4_as_printed(a[0], a[1], a[2]);
+        },
+        [](const Arguments& a) {
+          return oracles::alsweis::equation_a4_corrected(a[0], a[1], a[2]);
+        }}},
       // Sum of unit vectors, then tropism; the upward component is the value.
       {"brzoska2019/equation-10",
        {6,

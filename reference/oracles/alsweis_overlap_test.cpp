@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "reference/oracles/alsweis_overlap.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "core/overlap/lens.hpp"
 #include "core/random/counter_stream.hpp"
+#include "reference/oracles/alsweis_exact_lens.hpp"
 
 namespace phytobench::oracles::alsweis {
 namespace {
@@ -27,6 +32,30 @@ TEST(PrintedOverlapOracle, IsTwiceTooLargeOrAWholeDisc) {
 TEST(PrintedOverlapOracle, HasNoAngleForADiscInsideAnother) {
   EXPECT_TRUE(std::isnan(equation_a4_as_printed(1, 3, 1.5)));
   EXPECT_EQ(equation_a4_corrected(1, 3, 1.5), std::numbers::pi);
+}
+
+TEST(LensAreaOracle, FindsFourteenDigitsRightEverywhere) {
+  CounterStream stream(5, 0);
+  double worst = 0.0;
+  for (int i = 0; i < 4'000; ++i) {
+    const double r = std::pow(10.0, 18.0 * stream.next_unit() - 9.0);
+    const double spread = i % 3 == 0 ? 1e-3 : i % 3 == 1 ? 1.0 : 18.0;
+    const double ratio = std::pow(10.0, spread * (stream.next_unit() - 0.5));
+    const double s = std::clamp(r * ratio, 1e-9, 1e9);
+    const double d = hard_distance(r, s, i, stream.next_unit());
+    const double error = lens_relative_error(r, s, d, phytobench::lens_area(r, s, d));
+    worst = std::max(worst, error);
+    ASSERT_LE(error, 1e-14) << "r " << r << ", s " << s << ", d " << d;
+  }
+  EXPECT_GT(worst, 0.0);  // or nothing was compared
+}
+
+TEST(LensAreaOracle, SeesAWrongLastDigit) {
+  const double right = phytobench::lens_area(1, 1, 1);
+  EXPECT_LE(lens_relative_error(1, 1, 1, right), 1e-15);
+  EXPECT_GE(lens_relative_error(1, 1, 1, right * (1 + 1e-13)), 9e-14);
+  EXPECT_EQ(lens_relative_error(1, 1, 2, 0.0), 0.0);
+  EXPECT_TRUE(std::isinf(lens_relative_error(1, 1, 2, 1e-300)));
 }
 
 // Away from contact the textbook's form is as good as ours.
