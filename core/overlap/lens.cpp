@@ -76,7 +76,9 @@ HWY_INLINE Doubles lens(Doubles r, Doubles s, Doubles distance) {
   const auto small_beyond =
       hn::IfThenElse(hn::Ge(hn::Mul(two, distance), large), hn::Add(small, beyond),
                      hn::Sub(distance, hn::Sub(large, small)));
-  const auto large_beyond = hn::Add(large, hn::Sub(distance, small));
+  const auto large_beyond =
+      hn::IfThenElse(hn::Le(large, hn::Mul(two, small)), hn::Add(hn::Sub(large, small), distance),
+                     hn::Add(large, hn::Sub(distance, small)));
   const auto around = hn::Add(hn::Add(small, large), distance);
   const auto scale =
       hn::Div(hn::Set(d, 1.0), hn::Mul(hn::Mul(hn::Mul(four, small), large), distance));
@@ -137,13 +139,16 @@ double segment(double z) {
 double lens_area(double r, double s, double distance) {
   const double small = s < r ? s : r;
   const double large = s < r ? r : s;
-  // Exact between outer contact and half the large radius (Sterbenz); nearer, large - small is.
+  // Each rounded but once where it is small, since what is subtracted first is exact (Sterbenz):
+  // distance - large between outer contact and half the large radius, large - small for radii
+  // alike.
   const double beyond = distance - large;
   const double overlap = small - beyond;
   if (overlap <= 0.0) return 0.0;
   const double small_beyond = 2.0 * distance >= large ? small + beyond : distance - (large - small);
   if (small_beyond <= 0.0) return std::numbers::pi * small * small;
-  const double large_beyond = large + (distance - small);
+  const double large_beyond =
+      large <= 2.0 * small ? (large - small) + distance : large + (distance - small);
   const double around = small + large + distance;
   // Both divisors, 4 small distance and 4 large distance, from one division: it takes the most
   // time.

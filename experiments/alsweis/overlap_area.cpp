@@ -77,10 +77,11 @@ struct Pair {
   double r, s, distance;
 };
 
-/// Radii from 1e-9 to 1e9, nearly equal, alike or worlds apart.
+/// Radii from 1e-9 to 1e9, almost or nearly equal, alike or worlds apart.
 Pair hard_pair(int number, CounterStream& stream) {
   const double r = std::pow(10.0, 18.0 * stream.next_unit() - 9.0);
-  const double spread = number % 3 == 0 ? 1e-3 : number % 3 == 1 ? 1.0 : 18.0;
+  constexpr double spreads[] = {1e-10, 1e-3, 1.0, 18.0};
+  const double spread = spreads[number / 6 % 4];
   const double s = std::clamp(r * std::pow(10.0, spread * (stream.next_unit() - 0.5)), 1e-9, 1e9);
   return {r, s, oracles::hard_distance(r, s, number, stream.next_unit())};
 }

@@ -38,7 +38,7 @@ double lens_relative_error(double r, double s, double distance, double area) {
 double hard_distance(double r, double s, int kind, double unit) {
   const double gap = std::pow(10.0, -17.0 * unit);
   const double sign = unit < 0.5 ? 1.0 : -1.0;
-  switch (kind % 5) {
+  switch (kind % 6) {
     case 0:
       return (r + s) * (1.0 - gap);
     case 1:
@@ -47,6 +47,8 @@ double hard_distance(double r, double s, int kind, double unit) {
       return std::max(r, s) * (1.0 + sign * gap);
     case 3:
       return std::min(r, s) * (1.0 + sign * gap);
+    case 4:
+      return std::sqrt(std::abs(r - s) * (r + s)) * (1.0 + unit);
     default:
       return std::abs(r - s) + unit * (r + s - std::abs(r - s));
   }

@@ -39,7 +39,8 @@ TEST(LensAreaOracle, FindsFourteenDigitsRightEverywhere) {
   double worst = 0.0;
   for (int i = 0; i < 4'000; ++i) {
     const double r = std::pow(10.0, 18.0 * stream.next_unit() - 9.0);
-    const double spread = i % 3 == 0 ? 1e-3 : i % 3 == 1 ? 1.0 : 18.0;
+    constexpr double spreads[] = {1e-10, 1e-3, 1.0, 18.0};
+    const double spread = spreads[i / 6 % 4];
     const double ratio = std::pow(10.0, spread * (stream.next_unit() - 0.5));
     const double s = std::clamp(r * ratio, 1e-9, 1e9);
     const double d = hard_distance(r, s, i, stream.next_unit());
