@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/overlap/discs.hpp"
+
+namespace phytobench {
+
+/// Discs that own their numbers.
+struct DiscTable {
+  std::vector<double> x, y, radius;
+
+  Discs discs() const { return {x, y, radius}; }
+};
+
+/// A CSV file with columns x, y, r (others are ignored). Throws InputError with file:line for
+/// everything that read_number_columns() refuses, and for discs that no engine can take: see
+/// problem_with().
+DiscTable read_discs(const std::filesystem::path& file, const Ground& ground);
+
+}  // namespace phytobench

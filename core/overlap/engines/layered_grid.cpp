@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Discs of like size share a grid. A disc looks for partners among those after it in its own grid,
+// and in the grids of all smaller discs row by row inside its own circle: whatever the sizes, most
+// of what it looks at overlaps it.
+#include "core/overlap/layered_grid/layered_grid.hpp"
+
+#include <atomic>
+
+#include "core/overlap/layered_grid/pair_scan.hpp"
+#include "core/parallel/for_blocks.hpp"
+
+namespace phytobench::overlap_engines {
+
+namespace {
+
+/// Rows with about this many discs are one job. Fixed, so that pairs come in the same order for any
+/// number of threads.
+constexpr std::size_t discs_per_job = 4096;
+
+std::vector<PairScanJob> jobs_of(const LayeredGrid& grid, const OverlapSetup& setup,
+                                 std::atomic<std::size_t>& pairs_so_far) {
+  std::vector<PairScanJob> jobs;
+  for (std::size_t l = 0; l < grid.layers().size(); ++l) {
+    const DiscLayer& layer = grid.layers()[l];
+    const auto columns = static_cast<std::size_t>(layer.columns);
+    const auto begin_of = [&](std::int32_t row) {
+      return grid.cell_begin()[layer.first_cell + static_cast<std::size_t>(row) * columns];
+    };
+    for (std::int32_t first = 0, row = 0; row < layer.rows;) {
+      ++row;
+      if (row < layer.rows && begin_of(row) - begin_of(first) < discs_per_job) continue;
+      jobs.push_back({&grid, l, first, row, setup.most_pairs, &pairs_so_far});
+      first = row;
+    }
+  }
+  return jobs;
+}
+
+class LayeredGridEngine final : public OverlapEngine {
+ public:
+  OverlapWork find(const Discs& discs, const Ground& ground, const OverlapSetup& setup,
+                   OverlapPairs& pairs) override {
+    pairs.clear();
+    grid_.build(discs, ground, setup.threads);
+    std::atomic<std::size_t> pairs_so_far = 0;
+    const std::vector<PairScanJob> jobs = jobs_of(grid_, setup, pairs_so_far);
+    OverlapWork work;
+    if (setup.threads <= 1) {
+      for (const PairScanJob& job : jobs) add(scan_pairs(job, pairs), work);
+      return work;
+    }
+    if (found_.size() < jobs.size()) found_.resize(jobs.size());
+    std::vector<OverlapWork> done(jobs.size());
+    for_tasks(jobs.size(), setup.threads, [&](std::size_t j) {
+      found_[j].clear();
+      done[j] = scan_pairs(jobs[j], found_[j]);
+    });
+    for (const OverlapWork& more : done) add(more, work);
+    pairs.append_all(std::span(found_).first(jobs.size()), setup.threads);
+    return work;
+  }
+
+ private:
+  static void add(const OverlapWork& more, OverlapWork& work) {
+    work.candidates += more.candidates;
+    work.places += more.places;
+  }
+
+  LayeredGrid grid_;
+  std::vector<OverlapPairs> found_;  ///< by each job, with several threads
+};
+
+std::unique_ptr<OverlapEngine> create() {
+  return std::make_unique<LayeredGridEngine>();
+}
+
+}  // namespace
+
+extern const OverlapEngineDescriptor layered_grid;
+constinit const OverlapEngineDescriptor layered_grid{
+    .name = "layered_grid",
+    .summary = "Keeps a grid for each size of disc; larger discs look into the grids of smaller.",
+    .source = "phytobench; hierarchical grids, Mirtich 1996",
+    .uses_threads = true,
+    .create = create,
+};
+
+}  // namespace phytobench::overlap_engines

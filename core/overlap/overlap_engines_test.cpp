@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: MIT
+// Every engine of overlap_engines.def against the definition, on scenes where corner cases are
+// common.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/contract/errors.hpp"
+#include "core/overlap/layered_grid/size_classes.hpp"
+#include "core/overlap/lens.hpp"
+#include "core/overlap/overlap_registry.hpp"
+#include "core/parallel/vector_targets.hpp"
+#include "core/random/counter_stream.hpp"
+
+namespace phytobench {
+namespace {
+
+struct Pair {
+  DiscIndex first, second;
+  double area;
+
+  friend bool operator==(const Pair&, const Pair&) = default;
+};
+
+std::ostream& operator<<(std::ostream& out, const Pair& pair) {
+  return out << pair.first << '-' << pair.second << ": " << pair.area;
+}
+
+struct Scene {
+  std::string name;
+  std::vector<double> x, y, radius;
+  Ground ground;
+
+  void add(double px, double py, double r) {
+    x.push_back(px);
+    y.push_back(py);
+    radius.push_back(r);
+  }
+  Discs discs() const { return {x, y, radius}; }
+};
+
+std::vector<Pair> by_definition(const Scene& scene) {
+  const Discs discs = scene.discs();
+  std::vector<Pair> pairs;
+  const int reach = scene.ground.torus ? 1 : 0;
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    for (std::size_t j = i + 1; j < discs.size(); ++j) {
+      std::vector<double> areas;
+      for (int ky = -reach; ky <= reach; ++ky) {
+        for (int kx = -reach; kx <= reach; ++kx) {
+          const double dx = (discs.x[j] - discs.x[i]) + kx * scene.ground.period_x();
+          const double dy = (discs.y[j] - discs.y[i]) + ky * scene.ground.period_y();
+          const double area =
+              lens_area(discs.radius[i], discs.radius[j], std::sqrt(dx * dx + dy * dy));
+          if (area > 0.0) areas.push_back(area);
+        }
+      }
+      if (areas.empty()) continue;
+      std::sort(areas.begin(), areas.end());
+      double sum = 0.0;
+      for (const double area : areas) sum += area;
+      pairs.push_back({static_cast<DiscIndex>(i), static_cast<DiscIndex>(j), sum});
+    }
+  }
+  return pairs;
+}
+
+std::vector<Pair> found_by(OverlapEngine& engine, const Scene& scene, int threads = 1) {
+  OverlapPairs found;
+  engine.find(scene.discs(), scene.ground, {.threads = threads}, found);
+  found.sort_and_merge(scene.discs().size());
+  std::vector<Pair> pairs;
+  for (std::size_t p = 0; p < found.size(); ++p)
+    pairs.push_back({found.first()[p], found.second()[p], found.area()[p]});
+  return pairs;
+}
+
+/// Radii between 1 and `ratio`, evenly in their logarithm, about ten partners each.
+Scene random_scene(std::string name, std::size_t count, double ratio, bool is_torus,
+                   std::uint64_t seed) {
+  Scene scene{std::move(name)};
+  double side = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double r = std::pow(ratio, random_unit(seed, 2, i));
+    side += 4.0 * r * r;
+    scene.radius.push_back(r);
+  }
+  side = std::max(std::sqrt(side), 2.2 * ratio);
+  for (std::size_t i = 0; i < count; ++i) {
+    scene.x.push_back(side * random_unit(seed, 0, i) - 3.0);
+    scene.y.push_back(side * random_unit(seed, 1, i) + 7.0);
+  }
+  if (is_torus) scene.ground.torus = Rectangle{{-3.0, 7.0}, {side - 3.0, side + 7.0}};
+  return scene;
+}
+
+Scene lattice(std::string name, double radius, bool is_torus) {
+  Scene scene{std::move(name)};
+  for (int row = 0; row < 12; ++row)
+    for (int column = 0; column < 12; ++column) scene.add(column, row, radius);
+  if (is_torus) scene.ground.torus = Rectangle{{0, 0}, {12, 12}};
+  return scene;
+}
+
+Scene scaled(Scene scene, std::string name, double factor) {
+  scene.name = std::move(name);
+  for (std::vector<double>* values : {&scene.x, &scene.y, &scene.radius})
+    for (double& value : *values) value *= factor;
+  if (scene.ground.torus) {
+    Rectangle& torus = *scene.ground.torus;
+    torus = {factor * torus.low, factor * torus.high};
+  }
+  return scene;
+}
+
+Scene tree_in_a_meadow() {
+  Scene scene = random_scene("one tree among grasses", 600, 1.0, false, 8);
+  scene.add(20, 30, 35);
+  return scene;
+}
+
+Scene all_at_one_place() {
+  Scene scene{"all at one place"};
+  for (int i = 0; i < 60; ++i) scene.add(3.25, -2, 1.0 + i % 3);
+  return scene;
+}
+
+Scene line(std::string name, double dx, double dy) {
+  Scene scene{std::move(name)};
+  for (int i = 0; i < 200; ++i) {
+    const double at = 40.0 * random_unit(4, 0, static_cast<std::uint64_t>(i));
+    scene.add(dx * at, dy * at, 0.5 + random_unit(4, 1, static_cast<std::uint64_t>(i)));
+  }
+  return scene;
+}
+
+/// Discs that meet several images of each other, and cells that go round to themselves.
+Scene crowded_torus(std::size_t count) {
+  Scene scene{"few large discs on a torus: " + std::to_string(count)};
+  scene.ground.torus = Rectangle{{0, 0}, {10, 12}};
+  for (std::size_t i = 0; i < count; ++i)
+    scene.add(10 * random_unit(5, 0, i), 12 * random_unit(5, 1, i),
+              i == 0 ? 4.99 : 0.2 + 4.5 * random_unit(5, 2, i));
+  return scene;
+}
+
+Scene some_without_radius() {
+  Scene scene = random_scene("some of radius 0", 200, 3.0, false, 9);
+  for (std::size_t i = 0; i < scene.radius.size(); i += 3) scene.radius[i] = 0.0;
+  return scene;
+}
+
+Scene on_the_border() {
+  Scene scene{"on the border of a torus"};
+  scene.ground.torus = Rectangle{{-1, -1}, {9, 9}};
+  for (int i = 0; i <= 10; ++i) {
+    scene.add(-1, i - 1, 0.75);
+    scene.add(9, i - 1, 0.8);
+    scene.add(i - 1, 9, 1.5);
+  }
+  return scene;
+}
+
+Scene two(std::string name, double distance) {
+  Scene scene{std::move(name)};
+  scene.add(0, 0, 1);
+  scene.add(distance, 0, 2);
+  return scene;
+}
+
+Scene none(std::string name, int discs) {
+  Scene scene{std::move(name)};
+  for (int i = 0; i < discs; ++i) scene.add(i, 0, 0.25);
+  return scene;
+}
+
+std::vector<Scene> scenes() {
+  const Scene mixed = random_scene("sizes from 1 to 1000", 500, 1000.0, false, 3);
+  const Scene mixed_torus = random_scene("sizes from 1 to 100 on a torus", 400, 100.0, true, 4);
+  return {random_scene("equal sizes", 700, 1.0, false, 1),
+          random_scene("equal sizes on a torus", 700, 1.0, true, 1),
+          random_scene("sizes from 1 to 3", 500, 3.0, false, 2),
+          mixed,
+          mixed_torus,
+          scaled(mixed, "tiny", 1e-40),
+          scaled(mixed_torus, "huge", 1e40),
+          lattice("touching lattice", 0.5, false),
+          lattice("touching lattice on a torus", 0.5, true),
+          lattice("overlapping lattice on a torus", 1.0, true),
+          tree_in_a_meadow(),
+          all_at_one_place(),
+          line("along x", 1, 0),
+          line("along y", 0, 1),
+          line("along a diagonal", 1e-3, 1),
+          crowded_torus(3),
+          crowded_torus(40),
+          some_without_radius(),
+          on_the_border(),
+          two("just touching", 3.0),
+          two("hardly overlapping", std::nextafter(3.0, 0.0)),
+          two("one inside the other", 0.5),
+          none("nothing", 0),
+          none("one", 1),
+          none("apart", 5)};
+}
+
+class OverlapEnginesOracle : public testing::TestWithParam<const OverlapEngineDescriptor*> {};
+
+TEST_P(OverlapEnginesOracle, FindEveryPairAndItsArea) {
+  if (!GetParam()->built()) GTEST_SKIP() << GetParam()->missing_package << " was not found";
+  const auto engine = GetParam()->create();  // one for all: nothing may be left from scene to scene
+  for (const Scene& scene : scenes()) {
+    ASSERT_EQ(problem_with(scene.discs(), scene.ground), std::nullopt) << scene.name;
+    EXPECT_EQ(found_by(*engine, scene), by_definition(scene)) << scene.name;
+  }
+}
+
+TEST_P(OverlapEnginesOracle, GivesUpBeyondTheMostPairs) {
+  if (!GetParam()->built()) GTEST_SKIP() << GetParam()->missing_package << " was not found";
+  const Scene scene = all_at_one_place();
+  OverlapPairs pairs;
+  const std::size_t all = 60 * 59 / 2;
+  EXPECT_NO_THROW(
+      GetParam()->create()->find(scene.discs(), scene.ground, {.most_pairs = all}, pairs));
+  EXPECT_THROW(
+      GetParam()->create()->find(scene.discs(), scene.ground, {.most_pairs = all - 1}, pairs),
+      InputError);
+}
+
+std::string name_of_engine(const testing::TestParamInfo<const OverlapEngineDescriptor*>& info) {
+  return std::string(info.param->name);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OverlapEnginesOracle,
+                         testing::ValuesIn(all_overlap_engines().begin(),
+                                           all_overlap_engines().end()),
+                         name_of_engine);
+
+TEST(OverlapEnginesOracle, ScenesHaveSomethingToFind) {
+  std::size_t with_pairs = 0;
+  for (const Scene& scene : scenes()) with_pairs += !by_definition(scene).empty();
+  EXPECT_GE(with_pairs, 19u);
+}
+
+TEST(LayeredGridOracle, EveryVectorTargetAndNumberOfThreadsGivesTheSamePairs) {
+  const OverlapEngineDescriptor& engine = overlap_engine_named("layered_grid");
+  std::vector<Scene> all = scenes();
+  all.push_back(random_scene("many", 20'000, 50.0, true, 6));  // more than one job
+  for (const Scene& scene : all) {
+    OverlapPairs first;
+    engine.create()->find(scene.discs(), scene.ground, {}, first);
+    for (const std::int64_t target : vector_targets()) {
+      const ForcedTarget forced(target);
+      for (const int threads : {1, 2, 5}) {
+        OverlapPairs pairs;
+        engine.create()->find(scene.discs(), scene.ground, {.threads = threads}, pairs);
+        // Not sorted: the order is the same, too.
+        EXPECT_TRUE(std::ranges::equal(pairs.first(), first.first())) << scene.name;
+        EXPECT_TRUE(std::ranges::equal(pairs.second(), first.second())) << scene.name;
+        EXPECT_TRUE(std::ranges::equal(pairs.area(), first.area())) << scene.name;
+      }
+    }
+  }
+}
+
+TEST(LayeredGridLaw, ALargeDiscDoesNotMakeTheOthersLookFurther) {
+  const auto candidates = [](const Scene& scene, const char* engine) {
+    OverlapPairs pairs;
+    return overlap_engine_named(engine)
+        .create()
+        ->find(scene.discs(), scene.ground, {}, pairs)
+        .candidates;
+  };
+  Scene scene = random_scene("grasses", 20'000, 1.0, false, 7);
+  const std::uint64_t grasses = candidates(scene, "layered_grid");
+  const std::uint64_t in_one_grid = candidates(scene, "cell_grid");
+  scene.add(100, 100, 100);
+  EXPECT_LT(candidates(scene, "layered_grid"), grasses + 30'000);
+  EXPECT_GT(candidates(scene, "cell_grid"), 100 * in_one_grid);  // what is to be avoided
+}
+
+TEST(SizeClasses, HoldEveryRadiusOnceFromLargeToSmall) {
+  std::vector<double> radii{0.0, 0.0};
+  for (std::size_t i = 0; i < 5000; ++i)
+    radii.push_back(std::pow(10.0, 40 * random_unit(1, 0, i) - 20));
+  for (const double area : {0.0, 1e-30, 1.0, 1e30}) {
+    const auto classes = size_classes(radii, area);
+    std::size_t sum = 0;
+    for (std::size_t c = 0; c < classes.size(); ++c) {
+      sum += classes[c].count;
+      EXPECT_LE(classes[c].first_exponent, classes[c].last_exponent);
+      if (c > 0) {
+        EXPECT_GT(classes[c - 1].first_exponent, classes[c].last_exponent);
+      }
+      std::size_t count = 0;
+      double largest = 0.0;
+      for (const double r : radii) {
+        const std::size_t e = exponent_of(r);
+        if (r <= 0.0 || e < classes[c].first_exponent || e > classes[c].last_exponent) continue;
+        ++count;
+        largest = std::max(largest, r);
+      }
+      EXPECT_EQ(count, classes[c].count);
+      EXPECT_EQ(largest, classes[c].largest);
+    }
+    EXPECT_EQ(sum, 5000u);
+  }
+}
+
+TEST(SizeClasses, LikeSizesShareOneAndWorldsApartDoNot) {
+  std::vector<double> radii(10'000, 1.1);
+  for (std::size_t i = 0; i < radii.size(); i += 2) radii[i] = 0.9;
+  EXPECT_EQ(size_classes(radii, 40'000).size(), 1u);
+  radii.push_back(100.0);
+  EXPECT_EQ(size_classes(radii, 40'000).size(), 2u);
+  EXPECT_TRUE(size_classes(std::vector<double>{0.0}, 1.0).empty());
+}
+
+TEST(OverlapPairs, SortsAndAddsUpImages) {
+  OverlapPairs pairs;
+  pairs.push_back(2, 3, 1.0);
+  pairs.push_back(0, 3, 0.25);
+  pairs.push_back(0, 1, 0.5);
+  pairs.push_back(0, 3, 0.125);
+  pairs.sort_and_merge(4);
+  ASSERT_EQ(pairs.size(), 3u);
+  EXPECT_THAT(pairs.first(), testing::ElementsAre(0, 0, 2));
+  EXPECT_THAT(pairs.second(), testing::ElementsAre(1, 3, 3));
+  EXPECT_THAT(pairs.area(), testing::ElementsAre(0.5, 0.375, 1.0));
+}
+
+TEST(ProblemWith, NamesTheFirstDiscThatNoEngineCanTake) {
+  const auto problem = [](double x, double r, bool is_torus = false) {
+    Scene scene;
+    scene.add(1, 1, 1);
+    scene.add(x, 2, r);
+    if (is_torus) scene.ground.torus = Rectangle{{0, 0}, {10, 20}};
+    const auto found = problem_with(scene.discs(), scene.ground);
+    return found ? std::to_string(found->disc) + ": " + found->what : "";
+  };
+  EXPECT_EQ(problem(5, 1), "");
+  EXPECT_EQ(problem(5, 0), "");
+  EXPECT_EQ(problem(5, 4.99, true), "");
+  EXPECT_THAT(problem(5, -1), testing::HasSubstr("1: radius -1 is negative"));
+  EXPECT_THAT(problem(5, 1e-80), testing::HasSubstr("1e-60"));
+  EXPECT_THAT(problem(1e61, 1), testing::HasSubstr("beyond"));
+  EXPECT_THAT(problem(11, 1, true), testing::HasSubstr("outside"));
+  EXPECT_THAT(problem(5, 5, true), testing::HasSubstr("round the torus"));
+  EXPECT_THAT(problem(std::nan(""), 1), testing::HasSubstr("1: "));
+}
+
+TEST(OverlapRegistry, NamesAreUniqueAndUnknownOnesAreRefused) {
+  std::set<std::string_view> names;
+  for (const OverlapEngineDescriptor* engine : all_overlap_engines()) {
+    EXPECT_TRUE(names.insert(engine->name).second) << engine->name;
+    EXPECT_TRUE(engine->summary.ends_with('.')) << engine->name;
+    EXPECT_FALSE(engine->source.empty()) << engine->name;
+    EXPECT_EQ(engine->built(), engine->missing_package.empty()) << engine->name;
+  }
+  EXPECT_GE(names.size(), 8u);
+  EXPECT_THROW(overlap_engine_named("layred_grid"), InputError);
+}
+
+}  // namespace
+}  // namespace phytobench
