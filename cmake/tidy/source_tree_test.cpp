@@ -243,7 +243,10 @@ TEST(RegistrationTidy, EveryEngineAndExperimentHasOneLineAndOneFile) {
   };
   for (const List& list :
        {List{"core/nearest_node/engines.def", "core/nearest_node/engines/"},
-        List{"benchmarks/faulty_engines/faulty_engines.def", "benchmarks/faulty_engines/"}}) {
+        List{"core/overlap/overlap_engines.def", "core/overlap/engines/"},
+        List{"benchmarks/faulty_engines/faulty_engines.def", "benchmarks/faulty_engines/"},
+        List{"benchmarks/faulty_overlap_engines/faulty_overlap_engines.def",
+             "benchmarks/faulty_overlap_engines/"}}) {
     std::set<std::string> files;
     for (const File& file :
          tracked_files(std::regex(std::string("^") + list.folder + R"([a-z0-9_]+\.cpp$)")))
