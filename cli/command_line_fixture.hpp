@@ -16,6 +16,7 @@
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -127,6 +128,23 @@ class CommandLine : public testing::Test {
   /// The folder commands run in; their output is kept beside it.
   std::filesystem::path folder() const { return root_ / "work"; }
 
+  /// run() with arguments separated by single spaces.
+  Outcome run_line(const std::string& arguments) const {
+    Words words;
+    std::istringstream stream(arguments);
+    for (std::string word; stream >> word;) words.push_back(word);
+    return run(words);
+  }
+
+  /// Wrong input: exit code 2, one line that holds `part`, and nothing on standard output.
+  void expect_refused_line(const std::string& arguments, const std::string& part) const {
+    const Outcome outcome = run_line(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_THAT(outcome.err, testing::HasSubstr(part)) << arguments;
+    EXPECT_EQ(line_count(outcome.err), 1) << outcome.err;
+  }
+
   Outcome run(const Words& arguments) const {
     Outcome outcome;
     outcome.code = exit_code_of(arguments, folder(), root_ / "out", root_ / "err");
@@ -187,6 +205,11 @@ class CommandLine : public testing::Test {
     ASSERT_TRUE(stream.flush().good()) << name;
   }
 
+  /// The same, and where it is.
+  std::string file(const std::string& name, const std::string& content) const {
+    write(name, content);
+    return (folder() / name).string();
+  }
   std::string read(const std::filesystem::path& name) const { return content_of(folder() / name); }
   bool exists(const std::filesystem::path& name) const {
     return std::filesystem::exists(folder() / name);

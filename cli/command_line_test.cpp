@@ -54,7 +54,8 @@ TEST_F(CommandLine, ExaminesTheMachine) {
 
 // list
 
-const Words kinds = {"papers", "claims", "experiments", "engines", "presets", "rules"};
+const Words kinds = {"papers",          "claims",  "experiments", "engines",
+                     "overlap-engines", "presets", "rules"};
 
 TEST_F(CommandLine, ListsEveryKindWithUniqueIdsAndSummaries) {
   for (const std::string& kind : kinds) {

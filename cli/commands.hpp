@@ -54,8 +54,7 @@ struct GrowOptions {
 };
 int grow(const GrowOptions& options);
 
-struct RaceOptions {
-  std::string what;  ///< nearest-node
+struct NearestNodeRaceOptions {
   double points = 25298;
   int iterations = 0;  ///< 0: as many as the size asks for
   std::vector<std::string> engines{"all"};
@@ -69,7 +68,35 @@ struct RaceOptions {
   bool json = false;
   std::string command_line;
 };
-int race(const RaceOptions& options);
+int race_nearest_node(const NearestNodeRaceOptions& options);
+
+struct OverlapRaceOptions {
+  double size = 1e6;  ///< discs
+  std::string sizes = "equal";
+  double partners = 10.4;  ///< of a disc, on average
+  bool torus = false;
+  std::vector<std::string> engines{"all"};
+  std::vector<int> threads{1};
+  double budget = 120.0;
+  int rounds = 0;  ///< 0: as many as fit into a minute, at least 3
+  std::uint64_t seed = 0;
+  std::string discs;   ///< CSV file instead of random discs
+  std::string window;  ///< x0,y0,x1,y1 of a torus of these
+  bool json = false;
+  std::string command_line;
+};
+int race_overlap(const OverlapRaceOptions& options);
+
+struct OverlapOptions {
+  std::string discs;   ///< CSV file
+  std::string window;  ///< x0,y0,x1,y1; empty: the open plane
+  bool torus = false;
+  std::string engine = "layered_grid";
+  int threads = 1;
+  double most_pairs = 1e8;
+  bool json = false;
+};
+int overlap(const OverlapOptions& options);
 
 struct DoctorOptions {
   bool json = false;

@@ -9,6 +9,7 @@
 #include "core/contract/errors.hpp"
 #include "core/contract/suggestion.hpp"
 #include "core/nearest_node/engine_registry.hpp"
+#include "core/overlap/overlap_registry.hpp"
 #include "experiments/experiment_registry.hpp"
 #include "reference/papers.hpp"
 #include "reference/tree_presets.hpp"
@@ -70,6 +71,18 @@ ordered_json engines() {
   return rows;
 }
 
+ordered_json overlap_engines() {
+  ordered_json rows = ordered_json::array();
+  for (const OverlapEngineDescriptor* engine : all_overlap_engines())
+    rows.push_back({{"id", engine->name},
+                    {"source", engine->source},
+                    {"built", engine->built()},
+                    {"missing_package", engine->missing_package},
+                    {"uses_threads", engine->uses_threads},
+                    {"summary", engine->summary}});
+  return rows;
+}
+
 ordered_json presets() {
   ordered_json rows = ordered_json::array();
   for (const TreePreset& preset : tree_presets())
@@ -87,8 +100,13 @@ struct Kind {
   const char* name;
   ordered_json (*rows)();
 };
-constexpr Kind kinds[] = {{"papers", papers},   {"claims", claims},   {"experiments", experiments},
-                          {"engines", engines}, {"presets", presets}, {"rules", rules}};
+constexpr Kind kinds[] = {{"papers", papers},
+                          {"claims", claims},
+                          {"experiments", experiments},
+                          {"engines", engines},
+                          {"overlap-engines", overlap_engines},
+                          {"presets", presets},
+                          {"rules", rules}};
 
 std::string plain(const ordered_json& rows) {
   std::string text;
@@ -119,7 +137,7 @@ ordered_json rows_of(const std::string& what) {
     names.emplace_back(kind.name);
   }
   throw InputError("cannot list '" + what + "'" + did_you_mean(what, names) +
-                   "; use papers, claims, experiments, engines, presets or rules");
+                   "; use papers, claims, experiments, engines, overlap-engines, presets or rules");
 }
 
 }  // namespace

@@ -33,7 +33,9 @@ struct Commands {
   RunOptions run;
   ReportOptions report;
   GrowOptions grow;
-  RaceOptions race;
+  NearestNodeRaceOptions nearest_node_race;
+  OverlapRaceOptions overlap_race;
+  OverlapOptions overlap;
   DoctorOptions doctor;
   std::function<int()> chosen = {};
 };
@@ -48,7 +50,8 @@ void add_list(CLI::App& app, Commands& commands) {
   CLI::App* sub =
       app.add_subcommand("list", "What there is: papers, claims, experiments, engines, rules");
   sub->add_option("what", commands.list.what,
-                  "papers, claims, experiments, engines or rules; all counted without it");
+                  "papers, claims, experiments, engines, overlap-engines, presets or rules; all "
+                  "counted without it");
   sub->add_flag("--json", commands.list.json, "One JSON document");
   sub->callback([&] { commands.chosen = [&] { return list(commands.list); }; });
 }
@@ -121,10 +124,9 @@ void add_grow(CLI::App& app, Commands& commands) {
   sub->callback([&] { commands.chosen = [&] { return grow(commands.grow); }; });
 }
 
-void add_race(CLI::App& app, Commands& commands) {
-  RaceOptions& options = commands.race;
-  CLI::App* sub = app.add_subcommand("race", "Prove engines exact, then time them in turns");
-  sub->add_option("what", options.what, "nearest-node")->required();
+void add_nearest_node_race(CLI::App& race, Commands& commands) {
+  NearestNodeRaceOptions& options = commands.nearest_node_race;
+  CLI::App* sub = race.add_subcommand("nearest-node", "Engines that find nearest nodes of points");
   sub->add_option("--points", options.points, "Attraction points of the scaled test tree, about")
       ->capture_default_str()
       ->check(CLI::Range(1.0, 2e8));
@@ -157,7 +159,71 @@ void add_race(CLI::App& app, Commands& commands) {
       ->check(whole_number);
   sub->add_option("--cloud", options.cloud, "CSV file with your own points: columns x, y, z");
   sub->add_flag("--json", options.json, "One JSON document");
-  sub->callback([&] { commands.chosen = [&] { return race(commands.race); }; });
+  sub->callback(
+      [&] { commands.chosen = [&] { return race_nearest_node(commands.nearest_node_race); }; });
+}
+
+void add_overlap_race(CLI::App& race, Commands& commands) {
+  OverlapRaceOptions& options = commands.overlap_race;
+  CLI::App* sub = race.add_subcommand("overlap", "Engines that find overlapping discs");
+  sub->add_option("--size", options.size, "Random discs")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 2e8));
+  sub->add_option("--sizes", options.sizes,
+                  "Of the discs: equal, uniform (1 to 3), mixed (1 to 1000)")
+      ->capture_default_str();
+  sub->add_option("--partners", options.partners, "Discs that one overlaps, on average")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e4));
+  sub->add_flag("--torus", options.torus, "Join opposite sides of the ground");
+  sub->add_option("--engines", options.engines, "all, or names; comma-separated")
+      ->delimiter(',')
+      ->capture_default_str();
+  sub->add_option("--threads", options.threads,
+                  "Threads of engines that use them; several are raced against each other")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  sub->add_option("--budget", options.budget,
+                  "Seconds for one search; what is predicted to take longer is skipped")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 1e6));
+  sub->add_option("--rounds", options.rounds, "Timed rounds; 0: what fits into a minute, 3 to 25")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1000));
+  sub->add_option("--seed", options.seed, "Of the discs and the order of timing")
+      ->capture_default_str()
+      ->check(whole_number);
+  sub->add_option("--discs", options.discs, "CSV file with your own discs: columns x, y, r");
+  sub->add_option("--window", options.window, "x0,y0,x1,y1 of the torus on which these lie");
+  sub->add_flag("--json", options.json, "One JSON document");
+  sub->callback([&] { commands.chosen = [&] { return race_overlap(commands.overlap_race); }; });
+}
+
+void add_race(CLI::App& app, Commands& commands) {
+  CLI::App* sub = app.add_subcommand("race", "Prove engines exact, then time them in turns");
+  sub->require_subcommand(1);
+  add_nearest_node_race(*sub, commands);
+  add_overlap_race(*sub, commands);
+}
+
+void add_overlap(CLI::App& app, Commands& commands) {
+  OverlapOptions& options = commands.overlap;
+  CLI::App* sub = app.add_subcommand("overlap", "Who overlaps whom, and by how much");
+  sub->add_option("discs", options.discs, "CSV file with columns x, y, r")->required();
+  sub->add_option("--window", options.window,
+                  "x0,y0,x1,y1: count covered ground inside it, bare ground too");
+  sub->add_flag("--torus", options.torus, "Join opposite sides of the window");
+  sub->add_option("--engine", options.engine, "Overlap engine; see phytobench list overlap-engines")
+      ->capture_default_str();
+  sub->add_option("--threads", options.threads, "Never change the result")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  sub->add_option("--most-pairs", options.most_pairs, "Give up beyond so many; 16 bytes each")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 1e11));
+  sub->add_flag("--json", options.json, "One JSON document");
+  sub->callback([&] { commands.chosen = [&] { return overlap(commands.overlap); }; });
 }
 
 void add_doctor(CLI::App& app, Commands& commands) {
@@ -189,10 +255,21 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
   throw InputError("unknown command '" + first + "'" + did_you_mean(first, names) + known);
 }
 
+void refuse_unknown_race(int argc, char** argv) {
+  const std::vector<std::string> names = {"nearest-node", "overlap"};
+  if (argc < 2 || std::string(argv[1]) != "race") return;
+  const std::string what = argc < 3 ? "" : argv[2];
+  if (what == "--help" || what == "-h" ||
+      std::find(names.begin(), names.end(), what) != names.end())
+    return;
+  throw InputError("cannot race '" + what + "'" + did_you_mean(what, names) +
+                   "; use phytobench race nearest-node or race overlap");
+}
+
 /// Help of the subcommand that was asked for it, or of the program.
 std::string help_of(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
-  return chosen.empty() ? app.help() : chosen.front()->help();
+  return chosen.empty() ? app.help() : help_of(*chosen.front());
 }
 
 int run_command_line(int argc, char** argv) {
@@ -202,14 +279,17 @@ int run_command_line(int argc, char** argv) {
                                                 build_information::commit));
   app.require_subcommand(1);
   Commands commands;
-  commands.run.command_line = commands.race.command_line = joined(argc, argv);
+  commands.run.command_line = commands.nearest_node_race.command_line =
+      commands.overlap_race.command_line = joined(argc, argv);
   add_list(app, commands);
   add_run(app, commands);
   add_report(app, commands);
   add_grow(app, commands);
   add_race(app, commands);
+  add_overlap(app, commands);
   add_doctor(app, commands);
   refuse_unknown_command(app, argc, argv);
+  refuse_unknown_race(argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -12,25 +12,9 @@ using testing::HasSubstr;
 
 class RaceCommand : public CommandLine {
  protected:
-  /// Arguments after "race", separated by single spaces.
-  Outcome race(const std::string& arguments) const {
-    Words words{"race"};
-    std::istringstream stream(arguments);
-    for (std::string word; stream >> word;) words.push_back(word);
-    return run(words);
-  }
-
-  std::string file(const std::string& name, const std::string& content) const {
-    write(name, content);
-    return (folder() / name).string();
-  }
-
+  Outcome race(const std::string& arguments) const { return run_line("race " + arguments); }
   void expect_refused(const std::string& arguments, const std::string& part) const {
-    const Outcome outcome = race(arguments);
-    EXPECT_EQ(outcome.code, 2) << arguments;
-    EXPECT_EQ(outcome.out, "") << arguments;
-    EXPECT_THAT(outcome.err, HasSubstr(part)) << arguments;
-    EXPECT_EQ(line_count(outcome.err), 1) << outcome.err;
+    expect_refused_line("race " + arguments, part);
   }
 };
 

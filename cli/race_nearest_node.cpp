@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/option_values.hpp"
 #include "cli/race_approximate.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
-#include "core/contract/suggestion.hpp"
 #include "core/memory/keep_freed_memory.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 #include "core/record/environment.hpp"
@@ -60,7 +60,7 @@ std::vector<std::string> chosen_options(const std::vector<std::string>& names) {
   return options;
 }
 
-Workload chosen_workload(const RaceOptions& options) {
+Workload chosen_workload(const NearestNodeRaceOptions& options) {
   if (options.cloud.empty())
     return scaled_test_tree({.points = options.points,
                              .density = options.density,
@@ -172,8 +172,8 @@ ordered_json entry_json(const RaceEntry& entry, const RaceResult& result) {
 }
 
 /// Rounds as in the race, but few: what the trees lose is the point, not the last percent of time.
-std::vector<ApproximateEntry> race_approximate(const RaceOptions& options, const Workload& workload,
-                                               const RaceResult& exact) {
+std::vector<ApproximateEntry> race_approximate(const NearestNodeRaceOptions& options,
+                                               const Workload& workload, const RaceResult& exact) {
   const auto names = [&](const std::string& name) {
     return std::find(options.engines.begin(), options.engines.end(), name) != options.engines.end();
   };
@@ -197,7 +197,7 @@ std::vector<ApproximateEntry> race_approximate(const RaceOptions& options, const
 
 ordered_json document(const Workload& workload, const RaceResult& result,
                       const std::vector<ApproximateEntry>& approximate,
-                      const RaceOptions& options) {
+                      const NearestNodeRaceOptions& options) {
   ordered_json json;
   json["schema"] = "phytobench/race-1";
   json["workload"] = workload_json(workload, result);
@@ -218,12 +218,6 @@ ordered_json document(const Workload& workload, const RaceResult& result,
       environment_json(options.command_line, workload.seed,
                        *std::max_element(options.threads.begin(), options.threads.end())));
   return json;
-}
-
-std::string with_unit(double seconds) {
-  if (seconds < 1e-3) return fmt::format("{:.1f} us", 1e6 * seconds);
-  if (seconds < 1.0) return fmt::format("{:.2f} ms", 1e3 * seconds);
-  return fmt::format("{:.2f} s", seconds);
 }
 
 std::string timed_line(const RaceEntry& entry, const RaceEntry& fastest, const RaceResult& result) {
@@ -276,12 +270,8 @@ std::string table(const Workload& workload, const RaceResult& result) {
 
 }  // namespace
 
-int race(const RaceOptions& options) {
+int race_nearest_node(const NearestNodeRaceOptions& options) {
   keep_freed_memory();
-  if (options.what != "nearest-node")
-    throw InputError("cannot race '" + options.what + "'" +
-                     did_you_mean(options.what, std::vector<std::string>{"nearest-node"}) +
-                     "; use nearest-node");
   const auto engines = chosen_engines(options.engines);
   const auto loop_options = chosen_options(options.options);
   const Workload workload = chosen_workload(options);

@@ -22,6 +22,18 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+/// Without the three bytes that some programs put before UTF-8.
+std::string_view without_mark(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  return text;
+}
+
+/// Not empty, and no comment.
+bool holds_fields(std::string_view line) {
+  line = trimmed(line);
+  return !line.empty() && line.front() != '#';
+}
+
 void split(std::string_view line, std::vector<std::string_view>& fields) {
   fields.clear();
   for (;;) {
@@ -45,10 +57,9 @@ class ColumnReader {
 
   void read_line(std::string_view line) {
     ++line_number_;
-    if (line_number_ == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
-    line = trimmed(line);
-    if (line.empty() || line.front() == '#') return;
-    split(line, fields_);
+    if (line_number_ == 1) line = without_mark(line);
+    if (!holds_fields(line)) return;
+    split(trimmed(line), fields_);
     if (field_count_ == 0)
       read_header();
     else
@@ -123,10 +134,28 @@ std::vector<std::vector<double>> parse_number_columns(std::string_view text, std
   return reader.finish();
 }
 
+namespace {
+
+constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 30;
+
+}  // namespace
+
 std::vector<std::vector<double>> read_number_columns(const std::filesystem::path& file,
                                                      const std::vector<std::string>& columns) {
-  constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 30;
   return parse_number_columns(read_text_file(file, most_bytes), file.string(), columns);
+}
+
+std::string place_of_row(const std::filesystem::path& file, std::size_t row) {
+  const std::string content = read_text_file(file, most_bytes);
+  std::string_view text = without_mark(content);
+  // The header is the first line that counts.
+  for (std::size_t line = 1, lines_to_go = row + 2; !text.empty(); ++line) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    if (holds_fields(text.substr(0, end)) && --lines_to_go == 0)
+      return fmt::format("{}:{}", file.string(), line);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return file.string();
 }
 
 }  // namespace phytobench

@@ -20,4 +20,8 @@ std::vector<std::vector<double>> read_number_columns(const std::filesystem::path
 std::vector<std::vector<double>> parse_number_columns(std::string_view text, std::string_view name,
                                                       const std::vector<std::string>& columns);
 
+/// "points.csv:12": where row `row` (0-based, of numbers) of such a file stands, for messages on
+/// what only the reader of the numbers can find wrong.
+std::string place_of_row(const std::filesystem::path& file, std::size_t row);
+
 }  // namespace phytobench

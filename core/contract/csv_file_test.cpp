@@ -251,5 +251,14 @@ TEST_F(NumberColumnsFile, MissingOrAFolderIsAnInputErrorThatNamesIt) {
   EXPECT_THAT(reading_error(folder_), StartsWith(folder_.string() + ": is a folder"));
 }
 
+TEST_F(NumberColumnsFile, PlaceOfARowIsItsLine) {
+  const fs::path file = folder_ / "cloud.csv";
+  write_file_atomically(file, "\xef\xbb\xbf\r\n# a scan\nx,y,z\r\n1,2,3\n\n# more\n4,5,6\n7,8,9");
+  EXPECT_EQ(place_of_row(file, 0), file.string() + ":4");
+  EXPECT_EQ(place_of_row(file, 1), file.string() + ":7");
+  EXPECT_EQ(place_of_row(file, 2), file.string() + ":8");
+  EXPECT_EQ(place_of_row(file, 3), file.string());  // there is none
+}
+
 }  // namespace
 }  // namespace phytobench

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "benchmarks/overlap/overlap_race.hpp"
+#include "cli/commands.hpp"
+#include "cli/option_values.hpp"
+#include "cli/terminal.hpp"
+#include "core/contract/errors.hpp"
+#include "core/memory/keep_freed_memory.hpp"
+#include "core/overlap/discs_file.hpp"
+#include "core/overlap/overlap_registry.hpp"
+#include "core/record/environment.hpp"
+#include "core/statistics/bootstrap.hpp"
+#include "core/statistics/order_statistics.hpp"
+
+namespace phytobench::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+using State = OverlapEntry::State;
+
+std::vector<OverlapContestant> chosen_contestants(const OverlapRaceOptions& options) {
+  std::vector<OverlapContestant> chosen;
+  const auto add = [&](const OverlapEngineDescriptor& engine) {
+    for (const int threads : options.threads) chosen.push_back({&engine, threads});
+  };
+  for (const std::string& name : options.engines) {
+    const auto engines = all_overlap_engines();
+    const auto found = std::find_if(engines.begin(), engines.end(),
+                                    [&](const auto* engine) { return engine->name == name; });
+    if (name == "all")
+      for (const OverlapEngineDescriptor* engine : engines) add(*engine);
+    else if (found != engines.end())
+      add(**found);
+    else
+      throw InputError("unknown engine '" + name + "'; known: all, " +
+                       known_overlap_engine_names());
+  }
+  // Only ours knows threads: another one is there once.
+  std::vector<OverlapContestant> once;
+  for (const OverlapContestant& c : chosen)
+    if (c.threads == options.threads.front() || c.engine->uses_threads) once.push_back(c);
+  for (OverlapContestant& c : once)
+    if (!c.engine->uses_threads) c.threads = 1;
+  return once;
+}
+
+OverlapWorkload chosen_workload(const OverlapRaceOptions& options) {
+  if (options.discs.empty())
+    return random_discs({.count = static_cast<std::size_t>(std::llround(options.size)),
+                         .sizes = disc_sizes_named(options.sizes),
+                         .partners = options.partners,
+                         .is_torus = options.torus,
+                         .seed = options.seed});
+  if (options.torus && options.window.empty())
+    throw InputError("--torus with --discs needs --window x0,y0,x1,y1");
+  OverlapWorkload workload;
+  if (options.torus) workload.ground.torus = rectangle_from(options.window, "--window");
+  DiscTable table = read_discs(options.discs, workload.ground);
+  workload.name = options.discs;
+  workload.seed = options.seed;
+  workload.x = std::move(table.x);
+  workload.y = std::move(table.y);
+  workload.radius = std::move(table.radius);
+  return workload;
+}
+
+const char* name_of(State state) {
+  switch (state) {
+    case State::timed:
+      return "timed";
+    case State::inexact:
+      return "inexact";
+    case State::skipped:
+      return "skipped";
+    case State::not_built:
+      return "not built";
+  }
+  return "";
+}
+
+/// Timed entries, fastest first.
+std::vector<const OverlapEntry*> ranking(const OverlapRaceResult& result) {
+  std::vector<const OverlapEntry*> timed;
+  for (const OverlapEntry& entry : result.entries)
+    if (entry.state == State::timed) timed.push_back(&entry);
+  std::stable_sort(timed.begin(), timed.end(), [](const auto* a, const auto* b) {
+    return median(a->seconds) < median(b->seconds);
+  });
+  return timed;
+}
+
+ordered_json ratio_json(const std::string& slower, const std::string& faster,
+                        const Estimate& ratio) {
+  return {{"slower", slower},
+          {"faster", faster},
+          {"ratio", ratio.value},
+          {"ci95", {ratio.low, ratio.high}}};
+}
+
+ordered_json entry_json(const OverlapEntry& entry) {
+  ordered_json json{{"name", entry.engine->name},
+                    {"options", ""},
+                    {"threads", entry.threads},
+                    {"state", name_of(entry.state)},
+                    {"built", entry.engine->built()},
+                    {"exact", nullptr},
+                    {"median_s", nullptr},
+                    {"ci95_s", nullptr},
+                    {"distance_evaluations", nullptr}};
+  if (entry.predicted_s > 0.0) json["predicted_s"] = entry.predicted_s;
+  if (entry.state == State::not_built) json["missing_package"] = entry.engine->missing_package;
+  if (entry.state == State::inexact) {
+    json["exact"] = false;
+    json["disagreement"] = entry.disagreement;
+  }
+  if (entry.state != State::timed) return json;
+  const Estimate seconds = median_estimate(entry.seconds);
+  json["exact"] = true;
+  json["median_s"] = seconds.value;
+  json["ci95_s"] = {seconds.low, seconds.high};
+  json["rounds"] = entry.seconds.size();
+  json["distance_evaluations"] = entry.work.candidates;
+  return json;
+}
+
+ordered_json document(const OverlapWorkload& workload, const OverlapRaceResult& result,
+                      const OverlapRaceOptions& options) {
+  ordered_json json;
+  json["schema"] = "phytobench/race-1";
+  json["workload"] = {{"name", workload.name},
+                      {"discs", workload.x.size()},
+                      {"pairs", result.pairs},
+                      {"torus", workload.ground.torus.has_value()},
+                      {"seed", workload.seed},
+                      {"judge", result.judge},
+                      {"largest_area_error", result.largest_area_error}};
+  json["engines"] = ordered_json::array();
+  for (const OverlapEntry& entry : result.entries) json["engines"].push_back(entry_json(entry));
+  json["ratios"] = ordered_json::array();
+  const auto ranked = ranking(result);
+  for (std::size_t i = 1; i < ranked.size(); ++i)
+    json["ratios"].push_back(
+        ratio_json(ranked[i]->name(), ranked[0]->name(),
+                   paired_ratio_estimate(ranked[i]->seconds, ranked[0]->seconds)));
+  json["lens"] = ordered_json::array();
+  for (const LensEntry& lens : result.lens) {
+    const Estimate seconds = median_estimate(lens.seconds);
+    json["lens"].push_back({{"name", lens.name},
+                            {"median_s", seconds.value},
+                            {"ci95_s", {seconds.low, seconds.high}}});
+    if (lens.name != "vector")
+      json["ratios"].push_back(
+          ratio_json("lens " + lens.name, "lens vector",
+                     paired_ratio_estimate(lens.seconds, result.lens.back().seconds)));
+  }
+  json["environment"] = ordered_json::parse(
+      environment_json(options.command_line, workload.seed,
+                       *std::max_element(options.threads.begin(), options.threads.end())));
+  return json;
+}
+
+std::string timed_line(const std::string& name, const std::vector<double>& seconds,
+                       const std::vector<double>& fastest, const std::string& work) {
+  const Estimate total = median_estimate(seconds);
+  const Estimate ratio = paired_ratio_estimate(seconds, fastest);
+  return fmt::format("{:<27} {:>10}  {:>10} - {:>10}  {:>7.2f}x [{:.2f}, {:.2f}]  {}\n", name,
+                     with_unit(total.value), with_unit(total.low), with_unit(total.high),
+                     ratio.value, ratio.low, ratio.high, work);
+}
+
+std::string other_line(const OverlapEntry& entry) {
+  switch (entry.state) {
+    case State::not_built:
+      return fmt::format("{:<27} not built: {} was not found\n", entry.name(),
+                         entry.engine->missing_package);
+    case State::skipped:
+      return fmt::format("{:<27} skipped: predicted {} for one search, more than --budget\n",
+                         entry.name(), with_unit(entry.predicted_s));
+    case State::inexact:
+      return fmt::format("{:<27} INEXACT, no time: {}\n", entry.name(), entry.disagreement);
+    case State::timed:
+      break;
+  }
+  return {};
+}
+
+std::string table(const OverlapWorkload& workload, const OverlapRaceResult& result) {
+  std::string text = fmt::format(
+      "{}: {} overlapping pairs\njudged by the {}; areas of a sample are right to {:.1e}\n\n",
+      workload.name, result.pairs, result.judge, result.largest_area_error);
+  const auto ranked = ranking(result);
+  const std::string heading = fmt::format("{:>10}  {:>10} - {:>10}  {:>8} {:<14}", "median",
+                                          "95 % from", "to", "fastest", "95 %");
+  if (!ranked.empty()) text += fmt::format("{:<27} {}  looked at/pair\n", "engine", heading);
+  for (const OverlapEntry* entry : ranked)
+    text += timed_line(entry->name(), entry->seconds, ranked.front()->seconds,
+                       result.pairs == 0
+                           ? ""
+                           : fmt::format("{:.3g}", static_cast<double>(entry->work.candidates) /
+                                                       static_cast<double>(result.pairs)));
+  for (const OverlapEntry& entry : result.entries) text += other_line(entry);
+  if (result.lens.empty()) return text;
+  text += fmt::format("\n{:<27} {}\n", "areas alone", heading);
+  for (const LensEntry& lens : result.lens)
+    text += timed_line(lens.name, lens.seconds, result.lens.back().seconds, "");
+  return text;
+}
+
+}  // namespace
+
+int race_overlap(const OverlapRaceOptions& options) {
+  keep_freed_memory();
+  const auto contestants = chosen_contestants(options);
+  const OverlapWorkload workload = chosen_workload(options);
+  catch_interrupts();
+  const OverlapRaceResult result = phytobench::race_overlap({.workload = &workload,
+                                                             .contestants = contestants,
+                                                             .budget_s = options.budget,
+                                                             .rounds = options.rounds,
+                                                             .order_seed = options.seed,
+                                                             .show_progress = show_progress,
+                                                             .is_interrupted = is_interrupted});
+  print(options.json ? document(workload, result, options).dump(2) + "\n"
+                     : table(workload, result));
+  const bool wrong = std::any_of(result.entries.begin(), result.entries.end(),
+                                 [](const OverlapEntry& e) { return e.state == State::inexact; });
+  return wrong ? 1 : 0;
+}
+
+}  // namespace phytobench::cli
