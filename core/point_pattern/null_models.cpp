@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "core/point_pattern/null_models.hpp"
+
+#include "core/contract/check.hpp"
+#include "core/point_pattern/random_patterns.hpp"
+#include "core/random/counter_stream.hpp"
+
+namespace phytobench {
+
+namespace {
+
+double wrapped(double value, double low, double high) {
+  const double moved = value > high ? value - (high - low) : value;
+  // Rounding may leave it a little outside.
+  return moved < low ? low : moved > high ? high : moved;
+}
+
+}  // namespace
+
+std::vector<Point2> random_pattern(const Window& window, std::size_t count, std::uint64_t seed,
+                                   std::uint64_t index) {
+  CounterStream stream(seed, index);
+  return uniform_points(window, count, stream);
+}
+
+std::vector<double> relabelled(std::span<const double> marks, std::uint64_t seed,
+                               std::uint64_t index) {
+  CounterStream stream(seed, index);
+  std::vector<double> labels;
+  labels.reserve(marks.size());
+  for (const std::size_t i : random_order(marks.size(), stream)) labels.push_back(marks[i]);
+  return labels;
+}
+
+TwoSpecies relabelled(std::span<const Point2> first, std::span<const Point2> second,
+                      std::uint64_t seed, std::uint64_t index) {
+  CounterStream stream(seed, index);
+  TwoSpecies result;
+  for (const std::size_t i : random_order(first.size() + second.size(), stream)) {
+    const Point2& point = i < first.size() ? first[i] : second[i - first.size()];
+    (result.first.size() < first.size() ? result.first : result.second).push_back(point);
+  }
+  return result;
+}
+
+std::vector<Point2> torus_shifted(std::span<const Point2> points, const Window& window,
+                                  std::uint64_t seed, std::uint64_t index) {
+  PHYTOBENCH_EXPECT(window.kind() != WindowKind::polygon);
+  const Rectangle& box = window.bounding_box();
+  CounterStream stream(seed, index);
+  const double dx = stream.next_between(0.0, box.width());
+  const double dy = stream.next_between(0.0, box.height());
+  std::vector<Point2> shifted;
+  shifted.reserve(points.size());
+  for (const Point2& p : points) {
+    PHYTOBENCH_EXPECT(box.contains(p));
+    shifted.push_back(
+        {wrapped(p.x + dx, box.low.x, box.high.x), wrapped(p.y + dy, box.low.y, box.high.y)});
+  }
+  return shifted;
+}
+
+}  // namespace phytobench
