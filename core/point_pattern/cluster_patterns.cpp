@@ -14,14 +14,6 @@ namespace phytobench {
 
 namespace {
 
-/// The image of `x` in [low, high).
-double wrapped(double x, double low, double high) {
-  const double period = high - low;
-  const double inside = x - period * std::floor((x - low) / period);
-  // Rounding can put the image a hair's breadth outside.
-  return inside >= low && inside < high ? inside : low;
-}
-
 void expect_number(double number, NumberLaw law) {
   PHYTOBENCH_EXPECT(std::isfinite(number) && number >= 0.0);
   PHYTOBENCH_EXPECT(law == NumberLaw::poisson || number == std::floor(number));
@@ -60,14 +52,12 @@ std::vector<Point2> cluster_points(const Window& window, const ClusterNumbers& n
   refuse_too_many_points(parents * (1.0 + numbers.offspring), advice);
 
   std::vector<Point2> points;
-  const auto& [low, high] = window.bounding_box();
   for (std::uint64_t left = number_of(parents, numbers.parents_law, stream); left > 0; --left) {
     const double x = stream.next_between(region.low.x, region.high.x);
     const Point2 parent{x, stream.next_between(region.low.y, region.high.y)};
     std::uint64_t offspring = number_of(numbers.offspring, numbers.offspring_law, stream);
     for (; offspring > 0; --offspring) {
-      Point2 p = parent + displacement();
-      if (goes_round) p = {wrapped(p.x, low.x, high.x), wrapped(p.y, low.y, high.y)};
+      const Point2 p = window.wrapped(parent + displacement());
       if (window.contains(p)) points.push_back(p);
     }
   }

@@ -20,10 +20,12 @@ constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
 /// Where a query stands along one axis, and which cells there are on either side of its own.
 struct Place {
   std::int64_t cell, lowest, highest;  // offsets of the last cells to either side
-  double to_low, to_high;              // from the query to its cell's ends, in cells
+  bool joined;
+  double to_low, to_high;  // from the query to its cell's ends, in cells
   double edge;
 
-  Place(const GridAxis& axis, double value) : cell(axis.cell_of(value)), edge(axis.edge) {
+  Place(const GridAxis& axis, double value)
+      : cell(axis.cell_of(value)), joined(axis.joined), edge(axis.edge) {
     // Around a torus every cell is reached the shorter way, and once.
     lowest = axis.joined ? -((axis.cells - 1) / 2) : -cell;
     highest = axis.joined ? axis.cells / 2 : axis.cells - 1 - cell;
@@ -34,7 +36,8 @@ struct Place {
   /// A lower bound on the distance to all cells more than `ring` off along this axis.
   double gap_beyond(std::int64_t ring) const {
     double cells = infinity;
-    if (-ring > lowest) cells = to_low;
+    // On a torus the last cell to be seen may be nearer by the other way round.
+    if (joined ? ring < highest : -ring > lowest) cells = to_low;
     if (ring < highest) cells = std::min(cells, to_high);
     return cells == infinity ? infinity
                              : edge * std::max(0.0, static_cast<double>(ring) + cells - grid_slack);

@@ -38,7 +38,7 @@ TEST(NearestDistancesOracle, AreThoseOfADoubleLoop) {
 
 TEST(NearestDistancesOracle, FromQueriesAreThoseOfADoubleLoop) {
   for (const auto& [name, window, points] : assorted_patterns()) {
-    Points queries = random_points(window, 100, 17);
+    Points queries = random_points(window, 3000, 17);
     queries.insert(queries.end(), points.begin(), points.end());
     queries.insert(queries.end(), window.corners().begin(), window.corners().end());
     const std::vector<double> distances = nearest_distances_from(queries, points, window);

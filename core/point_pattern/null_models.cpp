@@ -7,16 +7,6 @@
 
 namespace phytobench {
 
-namespace {
-
-double wrapped(double value, double low, double high) {
-  const double moved = value > high ? value - (high - low) : value;
-  // Rounding may leave it a little outside.
-  return moved < low ? low : moved > high ? high : moved;
-}
-
-}  // namespace
-
 std::vector<Point2> random_pattern(const Window& window, std::size_t count, std::uint64_t seed,
                                    std::uint64_t index) {
   CounterStream stream(seed, index);
@@ -47,6 +37,7 @@ std::vector<Point2> torus_shifted(std::span<const Point2> points, const Window& 
                                   std::uint64_t seed, std::uint64_t index) {
   PHYTOBENCH_EXPECT(window.kind() != WindowKind::polygon);
   const Rectangle& box = window.bounding_box();
+  const Window torus = Window::torus(box);
   CounterStream stream(seed, index);
   const double dx = stream.next_between(0.0, box.width());
   const double dy = stream.next_between(0.0, box.height());
@@ -54,8 +45,7 @@ std::vector<Point2> torus_shifted(std::span<const Point2> points, const Window& 
   shifted.reserve(points.size());
   for (const Point2& p : points) {
     PHYTOBENCH_EXPECT(box.contains(p));
-    shifted.push_back(
-        {wrapped(p.x + dx, box.low.x, box.high.x), wrapped(p.y + dy, box.low.y, box.high.y)});
+    shifted.push_back(torus.wrapped({p.x + dx, p.y + dy}));
   }
   return shifted;
 }

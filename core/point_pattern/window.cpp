@@ -133,6 +133,17 @@ bool Window::contains(const Point2& point) const {
   return inside;
 }
 
+Point2 Window::wrapped(const Point2& point) const {
+  if (kind_ != WindowKind::torus) return point;
+  const auto wrap = [](double value, double low, double high) {
+    const double periods =
+        value < low || value > high ? std::floor((value - low) / (high - low)) : 0.0;
+    // Rounding may leave it a little outside.
+    return std::clamp(value - periods * (high - low), low, high);
+  };
+  return {wrap(point.x, box_.low.x, box_.high.x), wrap(point.y, box_.low.y, box_.high.y)};
+}
+
 Point2 Window::random_point(UnitStream& stream) const {
   for (;;) {
     const double x = stream.next_between(box_.low.x, box_.high.x);

@@ -42,6 +42,9 @@ class Window {
   /// Uniform in the window; two numbers of the stream per try, one try in a rectangle.
   Point2 random_point(UnitStream& stream) const;
 
+  /// The same place inside a torus, from however far outside; the point itself for other windows.
+  Point2 wrapped(const Point2& point) const;
+
   /// b - a, on a torus the shortest of its images.
   Point2 difference(const Point2& a, const Point2& b) const {
     Point2 d = b - a;
