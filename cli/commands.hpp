@@ -98,6 +98,20 @@ struct OverlapOptions {
 };
 int overlap(const OverlapOptions& options);
 
+struct PatternOptions {
+  std::string points;   ///< CSV file
+  std::string window;   ///< x0,y0,x1,y1
+  std::string polygon;  ///< CSV file of corners; neither: the bounding box
+  bool torus = false;
+  std::string mark;     ///< column of numbers, for the mark correlation
+  std::string species;  ///< column of words, for cross-type statistics
+  int simulations = 999;
+  std::uint64_t seed = 0;
+  int threads = 1;
+  bool json = false;
+};
+int pattern(const PatternOptions& options);
+
 struct DoctorOptions {
   bool json = false;
 };

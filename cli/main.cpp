@@ -36,6 +36,7 @@ struct Commands {
   NearestNodeRaceOptions nearest_node_race;
   OverlapRaceOptions overlap_race;
   OverlapOptions overlap;
+  PatternOptions pattern;
   DoctorOptions doctor;
   std::function<int()> chosen = {};
 };
@@ -226,6 +227,29 @@ void add_overlap(CLI::App& app, Commands& commands) {
   sub->callback([&] { commands.chosen = [&] { return overlap(commands.overlap); }; });
 }
 
+void add_pattern(CLI::App& app, Commands& commands) {
+  PatternOptions& options = commands.pattern;
+  CLI::App* sub = app.add_subcommand("pattern", "Random, clustered or regular: what a pattern is");
+  sub->add_option("points", options.points, "CSV file with columns x, y")->required();
+  sub->add_option("--window", options.window,
+                  "x0,y0,x1,y1: where all points were recorded; else their bounding box");
+  sub->add_option("--polygon", options.polygon, "The same as a CSV file of corners: columns x, y");
+  sub->add_flag("--torus", options.torus, "Join opposite sides of the window");
+  sub->add_option("--mark", options.mark, "Column of sizes: do neighbours keep each other small?");
+  sub->add_option("--species", options.species, "Column of names: which keep together or apart?");
+  sub->add_option("--simulations", options.simulations, "Random patterns to compare with")
+      ->capture_default_str()
+      ->check(CLI::Range(39, 100000));
+  sub->add_option("--seed", options.seed, "Of these, and of sampled places")
+      ->capture_default_str()
+      ->check(whole_number);
+  sub->add_option("--threads", options.threads, "Never change the result")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  sub->add_flag("--json", options.json, "One JSON document");
+  sub->callback([&] { commands.chosen = [&] { return pattern(commands.pattern); }; });
+}
+
 void add_doctor(CLI::App& app, Commands& commands) {
   CLI::App* sub =
       app.add_subcommand("doctor", "What is installed, what is missing, is this machine quiet");
@@ -287,6 +311,7 @@ int run_command_line(int argc, char** argv) {
   add_grow(app, commands);
   add_race(app, commands);
   add_overlap(app, commands);
+  add_pattern(app, commands);
   add_doctor(app, commands);
   refuse_unknown_command(app, argc, argv);
   refuse_unknown_race(argc, argv);

@@ -52,8 +52,12 @@ std::string shown(std::string_view field) {
 
 class ColumnReader {
  public:
-  ColumnReader(std::string_view name, const std::vector<std::string>& columns)
-      : name_(name), columns_(columns), numbers_(columns.size()) {}
+  ColumnReader(std::string_view name, const std::vector<std::string>& columns,
+               const std::vector<std::string>& word_columns)
+      : name_(name), columns_(columns), word_columns_(word_columns) {
+    table_.numbers.resize(columns.size());
+    table_.words.resize(word_columns.size());
+  }
 
   void read_line(std::string_view line) {
     ++line_number_;
@@ -66,14 +70,18 @@ class ColumnReader {
       read_numbers();
   }
 
-  std::vector<std::vector<double>> finish() {
+  CsvTable finish() {
     if (field_count_ == 0) refuse(fmt::format("is empty; give a line with {}", wanted()));
-    if (numbers_.front().empty()) refuse("has a header but no line of numbers; give at least one");
-    return std::move(numbers_);
+    if (rows_ == 0) refuse("has a header but no line of numbers; give at least one");
+    return std::move(table_);
   }
 
  private:
-  std::string wanted() const { return fmt::format("{}", fmt::join(columns_, ",")); }
+  std::string wanted() const {
+    std::vector<std::string> all = columns_;
+    all.insert(all.end(), word_columns_.begin(), word_columns_.end());
+    return fmt::format("{}", fmt::join(all, ","));
+  }
 
   [[noreturn]] void refuse(const std::string& what) const {
     throw InputError(fmt::format("{}: {}", name_, what));
@@ -84,15 +92,18 @@ class ColumnReader {
 
   void read_header() {
     field_count_ = fields_.size();
-    for (const std::string& column : columns_) {
-      const auto found = std::find(fields_.begin(), fields_.end(), column);
-      if (found == fields_.end())
-        refuse_line(fmt::format("no column '{}' in the header; the first line must name {}", column,
-                                wanted()));
-      if (std::find(found + 1, fields_.end(), column) != fields_.end())
-        refuse_line(fmt::format("column '{}' is named twice; keep one", column));
-      places_.push_back(static_cast<std::size_t>(found - fields_.begin()));
-    }
+    for (const std::string& column : columns_) places_.push_back(place_of(column));
+    for (const std::string& column : word_columns_) word_places_.push_back(place_of(column));
+  }
+
+  std::size_t place_of(const std::string& column) const {
+    const auto found = std::find(fields_.begin(), fields_.end(), column);
+    if (found == fields_.end())
+      refuse_line(fmt::format("no column '{}' in the header; the first line must name {}", column,
+                              wanted()));
+    if (std::find(found + 1, fields_.end(), column) != fields_.end())
+      refuse_line(fmt::format("column '{}' is named twice; keep one", column));
+    return static_cast<std::size_t>(found - fields_.begin());
   }
 
   void read_numbers() {
@@ -100,7 +111,15 @@ class ColumnReader {
       refuse_line(fmt::format("{} fields where the header has {}; complete or remove the line",
                               fields_.size(), field_count_));
     for (std::size_t i = 0; i < places_.size(); ++i)
-      numbers_[i].push_back(number(fields_[places_[i]], columns_[i]));
+      table_.numbers[i].push_back(number(fields_[places_[i]], columns_[i]));
+    for (std::size_t i = 0; i < word_places_.size(); ++i)
+      table_.words[i].push_back(word(fields_[word_places_[i]], word_columns_[i]));
+    ++rows_;
+  }
+
+  std::string word(std::string_view field, const std::string& column) const {
+    if (field.empty()) refuse_line(fmt::format("{} is empty; give a word", column));
+    return std::string(field);
   }
 
   double number(std::string_view field, const std::string& column) const {
@@ -114,18 +133,20 @@ class ColumnReader {
 
   std::string_view name_;
   const std::vector<std::string>& columns_;
-  std::vector<std::vector<double>> numbers_;
-  std::vector<std::size_t> places_;
+  const std::vector<std::string>& word_columns_;
+  CsvTable table_;
+  std::vector<std::size_t> places_, word_places_;
   std::vector<std::string_view> fields_;
   std::size_t field_count_ = 0;
   std::size_t line_number_ = 0;
+  std::size_t rows_ = 0;
 };
 
-}  // namespace
+constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 30;
 
-std::vector<std::vector<double>> parse_number_columns(std::string_view text, std::string_view name,
-                                                      const std::vector<std::string>& columns) {
-  ColumnReader reader(name, columns);
+CsvTable parse(std::string_view text, std::string_view name,
+               const std::vector<std::string>& numbers, const std::vector<std::string>& words) {
+  ColumnReader reader(name, numbers, words);
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     reader.read_line(text.substr(0, end));
@@ -134,15 +155,21 @@ std::vector<std::vector<double>> parse_number_columns(std::string_view text, std
   return reader.finish();
 }
 
-namespace {
-
-constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 30;
-
 }  // namespace
+
+std::vector<std::vector<double>> parse_number_columns(std::string_view text, std::string_view name,
+                                                      const std::vector<std::string>& columns) {
+  return parse(text, name, columns, {}).numbers;
+}
+
+CsvTable read_table(const std::filesystem::path& file, const std::vector<std::string>& numbers,
+                    const std::vector<std::string>& words) {
+  return parse(read_text_file(file, most_bytes), file.string(), numbers, words);
+}
 
 std::vector<std::vector<double>> read_number_columns(const std::filesystem::path& file,
                                                      const std::vector<std::string>& columns) {
-  return parse_number_columns(read_text_file(file, most_bytes), file.string(), columns);
+  return read_table(file, columns, {}).numbers;
 }
 
 std::string place_of_row(const std::filesystem::path& file, std::size_t row) {

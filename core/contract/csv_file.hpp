@@ -20,6 +20,16 @@ std::vector<std::vector<double>> read_number_columns(const std::filesystem::path
 std::vector<std::vector<double>> parse_number_columns(std::string_view text, std::string_view name,
                                                       const std::vector<std::string>& columns);
 
+/// Columns of numbers and columns of words, each in the order asked for.
+struct CsvTable {
+  std::vector<std::vector<double>> numbers;
+  std::vector<std::vector<std::string>> words;
+};
+
+/// The same with columns that may hold any words but commas and nothing but blanks.
+CsvTable read_table(const std::filesystem::path& file, const std::vector<std::string>& numbers,
+                    const std::vector<std::string>& words);
+
 /// "points.csv:12": where row `row` (0-based, of numbers) of such a file stands, for messages on
 /// what only the reader of the numbers can find wrong.
 std::string place_of_row(const std::filesystem::path& file, std::size_t row);

@@ -251,6 +251,17 @@ TEST_F(NumberColumnsFile, MissingOrAFolderIsAnInputErrorThatNamesIt) {
   EXPECT_THAT(reading_error(folder_), StartsWith(folder_.string() + ": is a folder"));
 }
 
+TEST_F(NumberColumnsFile, WordsStandBesideNumbers) {
+  const fs::path file = folder_ / "plants.csv";
+  write_file_atomically(file, "species,y,x\nred oak,2,1\n beech ,4,3\n");
+  const CsvTable table = read_table(file, {"x", "y"}, {"species"});
+  EXPECT_EQ(table.numbers, (Columns{{1, 3}, {2, 4}}));
+  EXPECT_EQ(table.words, (std::vector<std::vector<std::string>>{{"red oak", "beech"}}));
+  write_file_atomically(file, "species,x\n,1\n");
+  EXPECT_THROW(read_table(file, {"x"}, {"species"}), InputError);
+  EXPECT_THROW(read_table(file, {"x"}, {"kind"}), InputError);
+}
+
 TEST_F(NumberColumnsFile, PlaceOfARowIsItsLine) {
   const fs::path file = folder_ / "cloud.csv";
   write_file_atomically(file, "\xef\xbb\xbf\r\n# a scan\nx,y,z\r\n1,2,3\n\n# more\n4,5,6\n7,8,9");
