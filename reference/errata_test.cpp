@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/oracles/alsweis_hopkins.hpp"
 #include "reference/oracles/alsweis_overlap.hpp"
 #include "reference/oracles/brzoska2019_equations.hpp"
 #include "reference/oracles/brzoska2019_space_colonization.hpp"
@@ -35,6 +36,12 @@ std::vector<oracles::brzoska2019::Point> points_of(const Arguments& a) {
   std::vector<oracles::brzoska2019::Point> points;
   for (std::size_t i = 0; i + 2 < a.size(); i += 3) points.push_back({a[i], a[i + 1], a[i + 2]});
   return points;
+}
+
+std::vector<oracles::alsweis::Plant> plants_of(const Arguments& a) {
+  std::vector<oracles::alsweis::Plant> plants;
+  for (std::size_t i = 0; i + 1 < a.size(); i += 2) plants.push_back({a[i], a[i + 1]});
+  return plants;
 }
 
 /// Two points that stay nearest to the first node whatever grows between them.
@@ -65,6 +72,15 @@ const std::map<std::string, OraclePair>& oracles_by_name() {
         },
         [](const Arguments& a) {
           return oracles::alsweis::equation_a4_corrected(a[0], a[1], a[2]);
+        }}},
+      // Plants, x and y in turn; mean distance to the nearest.
+      {"alsweis/equation-2.8-denominator",
+       {6,
+        [](const Arguments& a) {
+          return oracles::alsweis::equation_2_8_denominator(plants_of(a), true);
+        },
+        [](const Arguments& a) {
+          return oracles::alsweis::equation_2_8_denominator(plants_of(a), false);
         }}},
       // Sum of unit vectors, then tropism; the upward component is the value.
       {"brzoska2019/equation-10",
