@@ -87,6 +87,17 @@ struct OverlapRaceOptions {
 };
 int race_overlap(const OverlapRaceOptions& options);
 
+struct HopkinsRaceOptions {
+  double size = 1e6;  ///< points
+  std::string pattern = "random";
+  int threads = 1;
+  int rounds = 7;
+  std::uint64_t seed = 0;
+  bool json = false;
+  std::string command_line;
+};
+int race_hopkins(const HopkinsRaceOptions& options);
+
 struct OverlapOptions {
   std::string discs;   ///< CSV file
   std::string window;  ///< x0,y0,x1,y1; empty: the open plane

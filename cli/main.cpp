@@ -35,6 +35,7 @@ struct Commands {
   GrowOptions grow;
   NearestNodeRaceOptions nearest_node_race;
   OverlapRaceOptions overlap_race;
+  HopkinsRaceOptions hopkins_race;
   OverlapOptions overlap;
   PatternOptions pattern;
   DoctorOptions doctor;
@@ -201,11 +202,32 @@ void add_overlap_race(CLI::App& race, Commands& commands) {
   sub->callback([&] { commands.chosen = [&] { return race_overlap(commands.overlap_race); }; });
 }
 
+void add_hopkins_race(CLI::App& race, Commands& commands) {
+  HopkinsRaceOptions& options = commands.hopkins_race;
+  CLI::App* sub = race.add_subcommand("hopkins", "Ways to the Hopkins index: exact and sampled");
+  sub->add_option("--size", options.size, "Points, about")
+      ->capture_default_str()
+      ->check(CLI::Range(2.0, 1e8));
+  sub->add_option("--pattern", options.pattern, "random or clustered")->capture_default_str();
+  sub->add_option("--threads", options.threads, "Also with so many")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  sub->add_option("--rounds", options.rounds, "Timed rounds")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  sub->add_option("--seed", options.seed, "Of points, places and the order of timing")
+      ->capture_default_str()
+      ->check(whole_number);
+  sub->add_flag("--json", options.json, "One JSON document");
+  sub->callback([&] { commands.chosen = [&] { return race_hopkins(commands.hopkins_race); }; });
+}
+
 void add_race(CLI::App& app, Commands& commands) {
   CLI::App* sub = app.add_subcommand("race", "Prove engines exact, then time them in turns");
   sub->require_subcommand(1);
   add_nearest_node_race(*sub, commands);
   add_overlap_race(*sub, commands);
+  add_hopkins_race(*sub, commands);
 }
 
 void add_overlap(CLI::App& app, Commands& commands) {
@@ -280,14 +302,14 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
 }
 
 void refuse_unknown_race(int argc, char** argv) {
-  const std::vector<std::string> names = {"nearest-node", "overlap"};
+  const std::vector<std::string> names = {"nearest-node", "overlap", "hopkins"};
   if (argc < 2 || std::string(argv[1]) != "race") return;
   const std::string what = argc < 3 ? "" : argv[2];
   if (what == "--help" || what == "-h" ||
       std::find(names.begin(), names.end(), what) != names.end())
     return;
   throw InputError("cannot race '" + what + "'" + did_you_mean(what, names) +
-                   "; use phytobench race nearest-node or race overlap");
+                   "; use phytobench race nearest-node, race overlap or race hopkins");
 }
 
 /// Help of the subcommand that was asked for it, or of the program.
@@ -304,7 +326,7 @@ int run_command_line(int argc, char** argv) {
   app.require_subcommand(1);
   Commands commands;
   commands.run.command_line = commands.nearest_node_race.command_line =
-      commands.overlap_race.command_line = joined(argc, argv);
+      commands.overlap_race.command_line = commands.hopkins_race.command_line = joined(argc, argv);
   add_list(app, commands);
   add_run(app, commands);
   add_report(app, commands);

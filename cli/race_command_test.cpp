@@ -107,7 +107,23 @@ TEST_F(RaceCommand, TakesTheUsersPoints) {
   for (const json& engine : document["engines"]) EXPECT_EQ(engine["exact"], true);
 }
 
+TEST_F(RaceCommand, ComparesWaysToTheHopkinsIndex) {
+  for (const char* pattern : {"random", "clustered"}) {
+    const Outcome outcome = race(std::string("hopkins --size 4000 --rounds 2 --threads 2 --json ") +
+                                 "--pattern " + pattern);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json document = json::parse(outcome.out);
+    EXPECT_EQ(document["schema"], "phytobench/race-1");
+    ASSERT_EQ(document["engines"].size(), 4u);
+    EXPECT_EQ(document["engines"][0]["exact"], true);
+    EXPECT_EQ(document["engines"][0]["mean_ratio"], document["engines"][1]["mean_ratio"]);
+  }
+  EXPECT_THAT(race("hopkins --size 3000 --rounds 1").out, HasSubstr("sampled, cell grid"));
+}
+
 TEST_F(RaceCommand, RefusesWrongInput) {
+  expect_refused("hopkins --pattern odd", "unknown pattern");
+  expect_refused("hopkins --size 1", "size");
   expect_refused("farthest-node", "cannot race");
   expect_refused("nearest-nod", "did you mean");
   expect_refused("nearest-node --engines voxel_grit", "unknown engine");

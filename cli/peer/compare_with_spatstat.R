@@ -26,16 +26,17 @@ suppressPackageStartupMessages({
   library(spatstat.explore)
 })
 
-# ---------------------------------------------------------------------------------------------- one line a comparison
+# --------------------------------------------------------------------------------------------- one line a comparison
 
 rounding <- "rounding"
 count <- c(ok = 0L, FAIL = 0L, unnoticed = 0L)
 
 print_line <- function(name, ours, theirs, difference, tolerance, verdict, reason)
-  cat(sprintf("%-66s %17.12g %17.12g %9.2g %8.1g  %-4s %s\n", name, ours, theirs, difference, tolerance, verdict, reason))
+  cat(sprintf("%-66s %17.12g %17.12g %9.2g %8.1g  %-4s %s\n",
+              name, ours, theirs, difference, tolerance, verdict, reason))
 
-# Of curves, the place where they differ most. Differences are in units of `scale`. `can_notice`: whether one moved point
-# must show; not where it has no influence, or where sampling noise may hide it.
+# Of curves, the place where they differ most. Differences are in units of `scale`. `can_notice`: whether one moved
+# point must show; not where it has no influence, or where sampling noise may hide it.
 compare <- function(name, ours, theirs, tolerance, reason, scale = abs(theirs), can_notice = TRUE) {
   if (length(ours) != length(theirs) || length(ours) == 0L)
     stop(name, ": ", length(ours), " values against ", length(theirs))
@@ -53,7 +54,7 @@ compare <- function(name, ours, theirs, tolerance, reason, scale = abs(theirs), 
 # A difference of definitions that is known and not judged.
 note <- function(name, ours, theirs, reason) print_line(name, ours, theirs, abs(ours - theirs), NA, "note", reason)
 
-# ------------------------------------------------------------------------------------------------- asking the program
+# ------------------------------------------------------------------------------------------------ asking the program
 
 write_columns <- function(...) {
   columns <- list(...)
@@ -79,7 +80,8 @@ with_one_moved <- function(X) {
   X
 }
 
-box_text <- function(W) paste(sprintf("%.17g", c(W$xrange[1L], W$yrange[1L], W$xrange[2L], W$yrange[2L])), collapse = ",")
+box_text <- function(W)
+  paste(sprintf("%.17g", c(W$xrange[1L], W$yrange[1L], W$xrange[2L], W$yrange[2L])), collapse = ",")
 
 # as: "rectangle", "polygon" (also for a rectangle's four corners) or "torus". `columns` are further ones of the file.
 ask_pattern <- function(X, as, options = character(), columns = list()) {
@@ -95,7 +97,7 @@ ask_pattern <- function(X, as, options = character(), columns = list()) {
   answer("pattern", file, window, "--simulations", "39", options)
 }
 
-# ------------------------------------------------------------------------------- what spatstat's parts must be joined for
+# -------------------------------------------------------------------------- what spatstat's parts must be joined for
 
 # Integrals of |x - p| and |x - p|^2 over the part of the window nearest to each point, summed: side by side of each
 # Dirichlet tile, from the closed forms for a triangle with its apex at p.
@@ -157,12 +159,20 @@ compare_l <- function(name, json, theirs, ties, reason) {
   compare(name, json$l[!ties], sqrt(theirs[!ties] / pi), 1e-9, reason, scale = max(r))
 }
 
-# -------------------------------------------------------------------------------------------------- the comparisons
+# --------------------------------------------------------------------------------------------------- the comparisons
+
+compare_nearest <- function(name, json, X) {
+  compare(paste(name, "mean nearest distance"), json$clark_evans$mean_distance, mean(nndist(X)), 1e-12, rounding)
+  compare(paste(name, "Clark-Evans, naive"), json$clark_evans$naive_ratio, clarkevans(X, correction = "none"), 1e-12,
+          rounding)
+}
 
 compare_hopkins <- function(name, json, X, moments, tolerance, source) {
   d <- if (is.matrix(X)) X else nndist(X)
-  compare(paste(name, "Hopkins, exponent 1, exact"), json$hopkins$mean_ratio$exact, moments[[1L]] / mean(d), tolerance, source)
-  compare(paste(name, "Hopkins, exponent 2, exact"), json$hopkins$squared_ratio$exact, moments[[2L]] / mean(d^2), tolerance, source)
+  compare(paste(name, "Hopkins, exponent 1, exact"), json$hopkins$mean_ratio$exact, moments[[1L]] / mean(d), tolerance,
+          source)
+  compare(paste(name, "Hopkins, exponent 2, exact"), json$hopkins$squared_ratio$exact, moments[[2L]] / mean(d^2),
+          tolerance, source)
 }
 
 # Reciprocals, as their mean over calls is exactly our ratio: only hopskel's denominator is random.
@@ -177,14 +187,16 @@ compare_hopskel <- function(name, json, X) {
 compare_rectangle <- function(name, X) {
   name <- paste0(name, ":")
   json <- ask_pattern(X, "rectangle")
-  compare(paste(name, "mean nearest distance"), json$clark_evans$mean_distance, mean(nndist(X)), 1e-12, rounding)
-  compare(paste(name, "Clark-Evans, Donnelly"), json$clark_evans$ratio, clarkevans(X, correction = "Donnelly"), 1e-12, rounding)
-  compare(paste(name, "Clark-Evans, naive"), json$clark_evans$naive_ratio, clarkevans(X, correction = "none"), 1e-12, rounding)
-  compare_hopkins(name, json, X, empty_space_moments(X), 1e-9, "integrals over the tiles of dirichlet(), whose corners are rounded")
+  compare_nearest(name, json, X)
+  compare(paste(name, "Clark-Evans, Donnelly"), json$clark_evans$ratio, clarkevans(X, correction = "Donnelly"), 1e-12,
+          rounding)
+  compare_hopkins(name, json, X, empty_space_moments(X), 1e-9,
+                  "integrals over the tiles of dirichlet(), whose corners are rounded")
   compare_hopskel(name, json, X)
   r <- c(0, json$l_function$r)
   ties <- has_tie(json$l_function$r, closepairs(X, 1.01 * max(r), what = "ijd")$d)
-  compare_l(paste(name, "L, translation"), json$l_function, Kest(X, r = r, correction = "translate")$trans[-1L], ties, rounding)
+  compare_l(paste(name, "L, translation"), json$l_function, Kest(X, r = r, correction = "translate")$trans[-1L], ties,
+            rounding)
   # As a polygon, because the program corrects rectangles by translation.
   json <- ask_pattern(X, "polygon")
   compare_l(paste(name, "L, isotropic, rectangle as polygon"), json$l_function,
@@ -198,7 +210,8 @@ compare_torus <- function(name, X) {
   pairs <- pairdist(X, periodic = TRUE)
   diag(pairs) <- Inf
   nearest <- apply(pairs, 1L, min)
-  compare(paste(name, "mean nearest distance"), json$clark_evans$mean_distance, mean(nearest), 1e-12, "pairdist(periodic = TRUE)")
+  compare(paste(name, "mean nearest distance"), json$clark_evans$mean_distance, mean(nearest), 1e-12,
+          "pairdist(periodic = TRUE)")
   # Mean distance to the nearest of n - 1 points as long as discs below half a side decide: (1 - pi/4)^(n - 1) < 1e-26.
   m <- npoints(X) - 1
   expected <- exp(lgamma(m + 1) - lgamma(m + 1.5)) / 2 * sqrt(area(W))
@@ -219,14 +232,14 @@ compare_polygon <- function(name, X) {
   name <- paste(name, "polygon:")
   json <- ask_pattern(X, "polygon")
   compare(paste(name, "area"), json$window$area, area(Window(X)), 1e-12, rounding, can_notice = FALSE)
-  compare(paste(name, "mean nearest distance"), json$clark_evans$mean_distance, mean(nndist(X)), 1e-12, rounding)
-  compare(paste(name, "Clark-Evans, naive"), json$clark_evans$naive_ratio, clarkevans(X, correction = "none"), 1e-12, rounding)
+  compare_nearest(name, json, X)
   compare_hopkins(name, json, X, empty_space_moments(X), 1e-8,
                   "integrals over the tiles of dirichlet(), cut to the polygon on a grid")
   compare_hopskel(name, json, X)
   r <- c(0, json$l_function$r)
   ties <- has_tie(json$l_function$r, closepairs(X, 1.01 * max(r), what = "ijd")$d)
-  compare_l(paste(name, "L, isotropic"), json$l_function, Kest(X, r = r, correction = "isotropic")$iso[-1L], ties, rounding)
+  compare_l(paste(name, "L, isotropic"), json$l_function, Kest(X, r = r, correction = "isotropic")$iso[-1L], ties,
+            rounding)
 }
 
 compare_species <- function(name, X, as, correction, column) {
@@ -286,23 +299,25 @@ compare_overlap <- function() {
   keys <- union(key(near[, 1L], near[, 2L]), key(json$pairs$i + 1, json$pairs$j + 1))
   at <- function(values, own) ifelse(is.na(match(keys, own)), 0, values[match(keys, own)])
   compare("30 discs: shared area, pair by pair", at(json$pairs$area, key(json$pairs$i + 1, json$pairs$j + 1)),
-          at(theirs, key(near[, 1L], near[, 2L])), 1e-10, "discpartarea() of both sides of the lens", scale = pi * min(radius)^2)
+          at(theirs, key(near[, 1L], near[, 2L])), 1e-10,
+          "discpartarea() of both sides of the lens, relative to the least disc", scale = pi * min(radius)^2)
 
   r <- 1.1
   wide <- discs
   Window(wide) <- owin(c(-2, 12), c(-2, 12))
   for (X in list(discs, wide)) {
-    json <- answer("overlap", write_columns(x = shown$x, y = shown$y, r = rep(r, 30L)), paste0("--window=", box_text(Window(X))))
+    json <- answer("overlap", write_columns(x = shown$x, y = shown$y, r = rep(r, 30L)),
+                   paste0("--window=", box_text(Window(X))))
     bare <- area(Window(X)) - dilated.areas(X, r, exact = TRUE)
-    compare(sprintf("30 equal discs, window of side %g: bare ground", diff(Window(X)$xrange)), json$covered$area[json$covered$times == 0],
-            bare, 1e-7, "dilated.areas(exact = TRUE) sums over Dirichlet tiles")
+    compare(sprintf("30 equal discs, window of side %g: bare ground", diff(Window(X)$xrange)),
+            json$covered$area[json$covered$times == 0], bare, 1e-7, "dilated.areas(exact = TRUE): sums over tiles")
   }
   own <- pi * r^2 - json$plants$covered
   compare("30 equal discs: ground that a disc has to itself", own, as.vector(areaLoss(wide, r, exact = TRUE)), 1e-7,
           "areaLoss(exact = TRUE), relative to the disc", scale = pi * r^2)
 }
 
-# ------------------------------------------------------------------------------------------- known differences, not judged
+# ------------------------------------------------------------------------------------- known differences, not judged
 
 note_differences <- function(lattice) {
   json <- ask_pattern(japanesepines, "rectangle")
@@ -342,7 +357,8 @@ note_differences <- function(lattice) {
 set.seed(20240229, kind = "Mersenne-Twister", normal.kind = "Inversion", sample.kind = "Rejection")
 cat(sprintf("R %s, spatstat.explore %s, spatstat.geom %s\n", getRversion(), packageVersion("spatstat.explore"),
             packageVersion("spatstat.geom")))
-cat(sprintf("%-66s %17s %17s %9s %8s\n", "comparison (of a curve: where it differs most)", "ours", "theirs", "off by", "allowed"))
+cat(sprintf("%-66s %17s %17s %9s %8s\n", "comparison (of a curve: where it differs most)", "ours", "theirs", "off by",
+            "allowed"))
 
 plot <- owin(c(-3, 9), c(100, 107))
 lattice_window <- owin(c(0, 8), c(0, 8))

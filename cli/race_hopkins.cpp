@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "benchmarks/point_pattern/hopkins_race.hpp"
+#include "cli/commands.hpp"
+#include "cli/option_values.hpp"
+#include "cli/terminal.hpp"
+#include "core/contract/errors.hpp"
+#include "core/memory/keep_freed_memory.hpp"
+#include "core/point_pattern/cluster_patterns.hpp"
+#include "core/point_pattern/random_patterns.hpp"
+#include "core/random/counter_stream.hpp"
+#include "core/record/environment.hpp"
+#include "core/statistics/bootstrap.hpp"
+
+namespace phytobench::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr Rectangle plot{{0.0, 0.0}, {1.0, 1.0}};
+
+std::vector<Point2> chosen_points(const HopkinsRaceOptions& options) {
+  const Window window = Window::rectangle(plot);
+  CounterStream stream(options.seed, 99);
+  const auto count = static_cast<std::size_t>(std::llround(options.size));
+  if (options.pattern == "random") return uniform_points(window, count, stream);
+  if (options.pattern != "clustered")
+    throw InputError("unknown pattern '" + options.pattern + "'; use random or clustered");
+  // A hundred points in each cluster, clusters a tenth as wide as they are apart.
+  ThomasOptions thomas;
+  thomas.numbers = {.parents = std::max(1.0, options.size / 100.0), .offspring = 100.0};
+  thomas.sigma = 0.1 / std::sqrt(thomas.numbers.parents);
+  std::vector<Point2> points = thomas_points(window, thomas, stream);
+  while (points.size() < 2) points.push_back(window.random_point(stream));
+  return points;
+}
+
+const HopkinsWay* fastest_of(const std::vector<HopkinsWay>& ways) {
+  const HopkinsWay* fastest = nullptr;
+  for (const HopkinsWay& way : ways)
+    if (!way.seconds.empty() && (fastest == nullptr || median_estimate(way.seconds).value <
+                                                           median_estimate(fastest->seconds).value))
+      fastest = &way;
+  return fastest;
+}
+
+ordered_json document(const std::vector<HopkinsWay>& ways, std::size_t points,
+                      const HopkinsRaceOptions& options) {
+  ordered_json json;
+  json["schema"] = "phytobench/race-1";
+  json["workload"] = {{"name", options.pattern + " points in a square"},
+                      {"points", points},
+                      {"sampled_places", points},
+                      {"seed", options.seed}};
+  json["engines"] = ordered_json::array();
+  json["ratios"] = ordered_json::array();
+  const HopkinsWay* const fastest = fastest_of(ways);
+  for (const HopkinsWay& way : ways) {
+    ordered_json entry{{"name", way.name},
+                       {"built", way.missing.empty()},
+                       {"exact", way.missing.empty() ? ordered_json(way.objection.empty())
+                                                     : ordered_json(nullptr)},
+                       {"median_s", nullptr},
+                       {"ci95_s", nullptr}};
+    if (!way.objection.empty()) entry["disagreement"] = way.objection;
+    if (!way.missing.empty()) entry["missing_package"] = way.missing;
+    if (!way.seconds.empty()) {
+      const Estimate seconds = median_estimate(way.seconds);
+      entry["median_s"] = seconds.value;
+      entry["ci95_s"] = {seconds.low, seconds.high};
+      entry["mean_ratio"] = way.index.mean_ratio;
+    }
+    json["engines"].push_back(entry);
+    if (way.seconds.empty() || &way == fastest) continue;
+    const Estimate ratio = paired_ratio_estimate(way.seconds, fastest->seconds);
+    json["ratios"].push_back({{"slower", way.name},
+                              {"faster", fastest->name},
+                              {"ratio", ratio.value},
+                              {"ci95", {ratio.low, ratio.high}}});
+  }
+  json["environment"] =
+      ordered_json::parse(environment_json(options.command_line, options.seed, options.threads));
+  return json;
+}
+
+std::string table(const std::vector<HopkinsWay>& ways, std::size_t points,
+                  const HopkinsRaceOptions& options) {
+  std::string text = fmt::format(
+      "{} {} points in a square; sampled ways ask at as many random places\n\n{:<22} "
+      "{:>10} {:>10}  {:>10} - {:>10}  {:>8} 95 %\n",
+      points, options.pattern, "Hopkins index", "value", "median", "95 % from", "to", "fastest");
+  const HopkinsWay* const fastest = fastest_of(ways);
+  for (const HopkinsWay& way : ways) {
+    if (!way.missing.empty()) {
+      text += fmt::format("{:<22} not built: {} was not found\n", way.name, way.missing);
+      continue;
+    }
+    if (!way.objection.empty()) {
+      text += fmt::format("{:<22} WRONG, no time: {}\n", way.name, way.objection);
+      continue;
+    }
+    const Estimate s = median_estimate(way.seconds);
+    const Estimate ratio = paired_ratio_estimate(way.seconds, fastest->seconds);
+    text += fmt::format("{:<22} {:>10.6f} {:>10}  {:>10} - {:>10}  {:>7.2f}x [{:.2f}, {:.2f}]\n",
+                        way.name, way.index.mean_ratio, with_unit(s.value), with_unit(s.low),
+                        with_unit(s.high), ratio.value, ratio.low, ratio.high);
+  }
+  return text;
+}
+
+}  // namespace
+
+int race_hopkins(const HopkinsRaceOptions& options) {
+  keep_freed_memory();
+  const std::vector<Point2> points = chosen_points(options);
+  catch_interrupts();
+  const auto ways = phytobench::race_hopkins({.points = points,
+                                              .window = plot,
+                                              .threads = options.threads,
+                                              .rounds = options.rounds,
+                                              .seed = options.seed,
+                                              .show_progress = show_progress,
+                                              .is_interrupted = is_interrupted});
+  print(options.json ? document(ways, points.size(), options).dump(2) + "\n"
+                     : table(ways, points.size(), options));
+  return std::any_of(ways.begin(), ways.end(),
+                     [](const HopkinsWay& way) { return !way.objection.empty(); })
+             ? 1
+             : 0;
+}
+
+}  // namespace phytobench::cli
