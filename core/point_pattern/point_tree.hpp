@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/geometry/point2.hpp"
@@ -42,7 +43,8 @@ class PointTree {
     // Up to the root; at every level the half that does not hold the leaf.
     while (node > 0) {
       const std::size_t sibling = node % 2 == 1 ? node + 1 : node - 1;
-      visit_below(sibling, query, reach, visit);
+      const double squared = squared_distance(query, boxes_[sibling]);
+      if (squared < reach()) visit_below(sibling, squared, query, reach, visit);
       node = (node - 1) / 2;
     }
   }
@@ -50,7 +52,7 @@ class PointTree {
   /// The same from the root downwards, for queries that are no points of the tree.
   template <class Reach, class Visit>
   void visit_all(const Point2& query, const Reach& reach, const Visit& visit) const {
-    visit_below(0, query, reach, visit);
+    visit_below(0, squared_distance(query, boxes_[0]), query, reach, visit);
   }
 
  private:
@@ -71,7 +73,7 @@ class PointTree {
   }
 
   template <class Reach, class Visit>
-  void visit_below(std::size_t node, const Point2& query, const Reach& reach,
+  void visit_below(std::size_t node, double squared, const Point2& query, const Reach& reach,
                    const Visit& visit) const {
     struct Waiting {
       std::size_t node;
@@ -79,23 +81,32 @@ class PointTree {
     };
     Waiting stack[64];
     int waiting = 0;
-    stack[waiting++] = {node, squared_distance(query, boxes_[node])};
-    while (waiting > 0) {
-      const Waiting next = stack[--waiting];
-      if (next.squared >= reach()) continue;
-      if (next.node >= first_leaf_) {
-        visit_leaf(boxes_[next.node], visit);
-        continue;
+    for (;;) {
+      // Down to the nearest leaf, leaving the other halves for later.
+      while (squared < reach() && node < first_leaf_) {
+        std::size_t near = 2 * node + 1, far = near + 1;
+        double near_squared = squared_distance(query, boxes_[near]);
+        double far_squared = squared_distance(query, boxes_[far]);
+        if (far_squared < near_squared) {
+          std::swap(near, far);
+          std::swap(near_squared, far_squared);
+        }
+        if (far_squared < reach()) stack[waiting++] = {far, far_squared};
+        node = near;
+        squared = near_squared;
       }
-      const Waiting left{2 * next.node + 1, squared_distance(query, boxes_[2 * next.node + 1])};
-      const Waiting right{2 * next.node + 2, squared_distance(query, boxes_[2 * next.node + 2])};
-      const bool left_is_nearer = left.squared <= right.squared;
-      stack[waiting++] = left_is_nearer ? right : left;
-      stack[waiting++] = left_is_nearer ? left : right;
+      if (squared < reach()) visit_leaf(boxes_[node], visit);
+      if (waiting == 0) return;
+      node = stack[--waiting].node;
+      squared = stack[waiting].squared;
     }
   }
 
-  void build(std::size_t node, std::size_t begin, std::size_t end, std::span<const Point2> points);
+  struct Numbered {
+    Point2 point;
+    std::uint32_t index;
+  };
+  void build(std::size_t node, std::span<Numbered> part, std::size_t begin);
 
   std::vector<Point2> points_;
   std::vector<std::uint32_t> index_;

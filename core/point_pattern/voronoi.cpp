@@ -16,36 +16,106 @@ namespace {
 
 using Corners = std::vector<Point2>;
 
-/// Keeps what lies on the side of the line where dot(x, normal) <= offset. `sides` is scratch.
-/// Whether anything was cut off.
-bool cut(Corners& corners, const Point2& normal, double offset, std::vector<double>& sides,
-         Corners& scratch) {
-  const std::size_t n = corners.size();
-  sides.resize(n);
-  bool any_outside = false;
-  for (std::size_t k = 0; k < n; ++k) {
-    sides[k] = dot(corners[k], normal) - offset;
-    any_outside |= sides[k] > 0.0;
-  }
-  if (!any_outside) return false;
+/// Keeps what lies on the side of the line where dot(x, normal) <= offset, of any polygon.
+/// `scratch` keeps its memory.
+void cut_any(Corners& corners, const Point2& normal, double offset, Corners& scratch) {
   scratch.clear();
+  const std::size_t n = corners.size();
   for (std::size_t k = 0, last = n - 1; k < n; last = k++) {
-    const bool is_inside = sides[k] <= 0.0, was_inside = sides[last] <= 0.0;
-    if (is_inside != was_inside) {
-      const double share = sides[last] / (sides[last] - sides[k]);
+    const double side = dot(corners[k], normal) - offset;
+    const double side_before = dot(corners[last], normal) - offset;
+    if ((side <= 0.0) != (side_before <= 0.0)) {
+      const double share = side_before / (side_before - side);
       scratch.push_back(corners[last] + share * (corners[k] - corners[last]));
     }
-    if (is_inside) scratch.push_back(corners[k]);
+    if (side <= 0.0) scratch.push_back(corners[k]);
   }
   corners.swap(scratch);
-  return true;
 }
 
-double largest_squared_norm(const Corners& corners) {
-  double largest = 0.0;
-  for (const Point2& corner : corners) largest = std::max(largest, squared_norm(corner));
-  return largest;
-}
+/// A convex polygon around the origin, with the squared distance of each corner: what most of the
+/// time is spent on.
+class ConvexCell {
+ public:
+  void begin(const Point2& low, const Point2& high) {
+    grow(4);
+    size_ = 4;
+    corner_[0] = low;
+    corner_[1] = {high.x, low.y};
+    corner_[2] = high;
+    corner_[3] = {low.x, high.y};
+    for (std::size_t k = 0; k < size_; ++k) squared_[k] = squared_norm(corner_[k]);
+  }
+
+  double largest_squared_norm() const {
+    double largest = 0.0;
+    for (std::size_t k = 0; k < size_; ++k) largest = std::max(largest, squared_[k]);
+    return largest;
+  }
+
+  /// As cut_any(), for offset > 0. Whether anything was cut off.
+  bool cut(const Point2& normal, double offset) {
+    std::size_t first = size_;  // outside, with the corner before it inside
+    for (std::size_t k = 0, last = size_ - 1; k < size_; last = k++) {
+      side_[k] = dot(corner_[k], normal) - offset;
+      if (side_[k] > 0.0 && first == size_ && (k == 0 || side_[last] <= 0.0)) first = k;
+    }
+    if (first == size_) return false;
+    if (first == 0) first = chain_begin();
+    replace(first);
+    return true;
+  }
+
+  std::size_t size() const { return size_; }
+  const Point2& corner(std::size_t k) const { return corner_[k]; }
+
+ private:
+  std::size_t next(std::size_t k) const { return k + 1 < size_ ? k + 1 : 0; }
+  std::size_t before(std::size_t k) const { return k > 0 ? k - 1 : size_ - 1; }
+
+  /// Corner 0 is outside: where its chain begins. The origin is inside, so some corner is.
+  std::size_t chain_begin() const {
+    std::size_t k = 0;
+    while (side_[before(k)] > 0.0 && before(k) != 0) k = before(k);
+    return k;
+  }
+
+  Point2 crossing(std::size_t a, std::size_t b) const {
+    const double share = side_[a] / (side_[a] - side_[b]);
+    return corner_[a] + share * (corner_[b] - corner_[a]);
+  }
+
+  /// The chain of corners outside that begins at `first` by two on the line.
+  void replace(std::size_t first) {
+    std::size_t behind = first;
+    while (side_[behind] > 0.0 && next(behind) != first) behind = next(behind);
+    const Point2 enter = crossing(before(first), first);
+    const Point2 exit = crossing(before(behind), behind);
+    grow(size_ + 2);
+    std::size_t n = 0;
+    for (std::size_t k = behind; k != first; k = next(k), ++n) {
+      new_corner_[n] = corner_[k];
+      new_squared_[n] = squared_[k];
+    }
+    for (const Point2& p : {enter, exit}) {
+      new_corner_[n] = p;
+      new_squared_[n++] = squared_norm(p);
+    }
+    corner_.swap(new_corner_);
+    squared_.swap(new_squared_);
+    size_ = n;
+  }
+
+  void grow(std::size_t size) {
+    if (size <= side_.size()) return;
+    for (auto* points : {&corner_, &new_corner_}) points->resize(2 * size);
+    for (auto* values : {&squared_, &new_squared_, &side_}) values->resize(2 * size);
+  }
+
+  std::size_t size_ = 0;
+  std::vector<Point2> corner_, new_corner_;
+  std::vector<double> squared_, new_squared_, side_;
+};
 
 /// Integral of the distance from the origin over the triangle of the origin, a and b, divided by
 /// its area: by polar coordinates around the foot of the side's line.
@@ -100,7 +170,7 @@ class CellCutter {
   const Corners& cell(std::size_t leaf, std::size_t place) {
     const Point2 site = tree_.point(place);
     begin_with_window(site);
-    reach_ = 4.0 * largest_squared_norm(corners_);
+    reach_ = 4.0 * cell_.largest_squared_norm();
     is_later_ = false;
     cutters_.clear();
     // In widening circles: as long as nothing lies on one side of the point, its cell has no end
@@ -109,8 +179,10 @@ class CellCutter {
       meet_within(limit, leaf, place, site);
       if (reach_ <= limit) break;
     }
-    if (is_later_) corners_.clear();
-    if (window_.kind() == WindowKind::polygon && !corners_.empty()) cut_polygon(site);
+    corners_.clear();
+    if (is_later_) return corners_;
+    for (std::size_t k = 0; k < cell_.size(); ++k) corners_.push_back(cell_.corner(k));
+    if (window_.kind() == WindowKind::polygon) cut_polygon(site);
     return corners_;
   }
 
@@ -151,7 +223,7 @@ class CellCutter {
       high = {0.5 * box.width(), 0.5 * box.height()};
       low = -1.0 * high;
     }
-    corners_.assign({low, {high.x, low.y}, high, {low.x, high.y}});
+    cell_.begin(low, high);
   }
 
   void meet(std::size_t place, std::size_t other, const Point2& offset) {
@@ -166,8 +238,8 @@ class CellCutter {
   void bisect(const Point2& offset) {
     const double squared = squared_norm(offset);
     if (squared >= reach_) return;
-    if (!cut(corners_, offset, 0.5 * squared, sides_, scratch_)) return;
-    reach_ = 4.0 * largest_squared_norm(corners_);
+    if (!cell_.cut(offset, 0.5 * squared)) return;
+    reach_ = 4.0 * cell_.largest_squared_norm();
     if (window_.kind() == WindowKind::polygon) cutters_.push_back(offset);
   }
 
@@ -192,16 +264,16 @@ class CellCutter {
     corners_.clear();
     for (const Point2& corner : polygon) corners_.push_back(corner - site);
     for (const Point2& offset : cutters_)
-      if (!corners_.empty()) cut(corners_, offset, 0.5 * squared_norm(offset), sides_, scratch_);
+      if (!corners_.empty()) cut_any(corners_, offset, 0.5 * squared_norm(offset), scratch_);
   }
 
   const PointTree& tree_;
   const Window& window_;
   std::vector<Point2> images_;  ///< where the torus repeats itself
+  ConvexCell cell_;
   Corners corners_, scratch_;
   std::vector<Point2> cutters_;  ///< points whose bisector has cut; of polygons only
-  std::vector<double> sides_;
-  double reach_ = 0.0;  ///< squared; what is farther away cuts nothing
+  double reach_ = 0.0;           ///< squared; what is farther away cuts nothing
   bool is_later_ = false;
 };
 
