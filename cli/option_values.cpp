@@ -6,10 +6,20 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "core/contract/errors.hpp"
 
 namespace phytobench::cli {
+
+void refuse_odd_size(const Rectangle& window, const std::string& whose) {
+  constexpr double smallest = 1e-50, largest = 1e50;
+  for (const double length : {window.width(), window.height()})
+    if (!(length >= smallest && length <= largest))
+      throw InputError(
+          fmt::format("{}: a window {:g} by {:g} is not within 1e-50 to 1e50; use another unit",
+                      whose, window.width(), window.height()));
+}
 
 Rectangle rectangle_from(const std::string& text, const std::string& option) {
   const InputError wrong(fmt::format(
@@ -23,10 +33,17 @@ Rectangle rectangle_from(const std::string& text, const std::string& option) {
     at = next;
   }
   const Rectangle window{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
-  if (at != end || !(window.width() > 0.0) || !(window.height() > 0.0) ||
-      !std::isfinite(window.area()))
-    throw wrong;
+  if (at != end || !(window.width() > 0.0) || !(window.height() > 0.0)) throw wrong;
+  refuse_odd_size(window, option);
   return window;
+}
+
+std::string json_text(const nlohmann::ordered_json& json, int indent) {
+  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+std::string json_text(const nlohmann::json& json, int indent) {
+  return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 std::string with_unit(double seconds) {

@@ -31,7 +31,7 @@ struct Overlaps {
 };
 
 void step(const char* what) {
-  if (is_interrupted()) throw Interrupted();
+  if (is_interrupted()) throw Interrupted("nothing was written");
   show_progress(what);
 }
 
@@ -58,7 +58,8 @@ Overlaps find_overlaps(const OverlapOptions& options) {
     for (const DiscIndex i : {result.pairs.first()[p], result.pairs.second()[p]})
       result.overlap_sum[static_cast<std::size_t>(i)] += result.pairs.area()[p];
   step("measuring covered ground");
-  result.coverage = coverage(discs, ground, result.window, options.threads);
+  result.coverage = coverage(discs, ground, result.window, options.threads,
+                             static_cast<std::size_t>(options.most_pairs));
   return result;
 }
 
@@ -72,7 +73,7 @@ class JsonWriter {
     if (text_.size() >= enough) flush();
   }
   void flush() {
-    if (is_interrupted()) throw Interrupted();
+    if (is_interrupted()) throw Interrupted("the document is incomplete");
     print(std::string(text_.data(), text_.size()));
     text_.clear();
   }
@@ -95,7 +96,7 @@ void write_list(JsonWriter& out, const char* key, std::size_t count, const Entry
 void write_json(const Overlaps& o, const OverlapOptions& options) {
   JsonWriter out;
   out.write("{{\n  \"schema\": \"phytobench/overlap-1\",\n");
-  out.write("  \"discs\": {},\n", nlohmann::json(options.discs).dump());
+  out.write("  \"discs\": {},\n", json_text(nlohmann::json(options.discs), -1));
   out.write("  \"engine\": \"{}\",\n", options.engine);
   if (o.window)
     out.write("  \"window\": [{}, {}, {}, {}],\n", o.window->low.x, o.window->low.y,
@@ -135,8 +136,9 @@ std::string covered_table(const Overlaps& o) {
   std::string text = fmt::format("\n{:>13}  {:>14}  {:>9}\n", "times covered", "area",
                                  o.window ? "of window" : "of cover");
   for (std::size_t k = o.window ? 0 : 1; k < by_times.size(); ++k)
-    text += fmt::format("{:>13}  {:>14.6g}  {:>8.3f}%\n", k, by_times[k],
-                        all > 0.0 ? 100.0 * by_times[k] / all : 0.0);
+    if (k == 0 || by_times[k] > 0.0)
+      text += fmt::format("{:>13}  {:>14.6g}  {:>8.3f}%\n", k, by_times[k],
+                          all > 0.0 ? 100.0 * by_times[k] / all : 0.0);
   return text;
 }
 

@@ -127,7 +127,15 @@ TEST_F(OverlapCommand, RacesEngines) {
   EXPECT_THAT(own.out, HasSubstr("1 overlapping pairs"));
 }
 
+TEST_F(OverlapCommand, RaceTakesSizesWorldsApart) {
+  const Outcome outcome =
+      run_line("race overlap --engines layered_grid,sweep --rounds 2 --discs " +
+               file("rim.csv", "x,y,r\n0,0,1e7\n1e7,0,0.5\n0,1e7,1\n1e7,0.3,0.4\n"));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
 TEST_F(OverlapCommand, RaceRefusesWrongInput) {
+  expect_refused_line("race overlap --window 0,0,1,1", "--window says");
   expect_refused_line("race", "cannot race");
   expect_refused_line("race overlapp", "did you mean 'overlap'");
   expect_refused_line("race overlap --sizes huge", "unknown sizes");

@@ -2,6 +2,7 @@
 // phytobench pattern: options and files in, words and numbers out.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cli/commands.hpp"
 #include "cli/option_values.hpp"
@@ -10,6 +11,7 @@
 #include "core/contract/csv_file.hpp"
 #include "core/contract/errors.hpp"
 #include "core/point_pattern/null_models.hpp"
+#include "core/point_pattern/point_grid.hpp"
 #include "core/point_pattern/random_patterns.hpp"
 #include "core/random/counter_stream.hpp"
 
@@ -31,8 +33,12 @@ enum SeedOffset : std::uint64_t {
 constexpr std::size_t most_curves = 199, most_curve_points = 20'000;
 constexpr double curve_points_in_all = 4e5;
 
+void checkpoint() {
+  if (is_interrupted()) throw Interrupted("nothing was written");
+}
+
 void step(const std::string& what) {
-  if (is_interrupted()) throw Interrupted();
+  checkpoint();
   show_progress(what);
 }
 
@@ -59,7 +65,10 @@ Window chosen_window(const PatternOptions& options, const std::vector<Point2>& p
   if (!options.polygon.empty()) {
     if (options.torus) throw InputError("a polygon has no opposite sides; leave out --torus");
     try {
-      return Window::polygon(joined(read_number_columns(options.polygon, {"x", "y"})));
+      const Window polygon =
+          Window::polygon(joined(read_number_columns(options.polygon, {"x", "y"})));
+      refuse_odd_size(polygon.bounding_box(), options.polygon);
+      return polygon;
     } catch (const InputError& error) {
       const std::string what = error.what();
       const bool says_where = what.starts_with(options.polygon);
@@ -73,6 +82,7 @@ Window chosen_window(const PatternOptions& options, const std::vector<Point2>& p
     if (!(box.width() > 0.0) || !(box.height() > 0.0))
       throw InputError(options.points +
                        ": all points are at one place or in a line along an axis; give --window");
+    refuse_odd_size(box, options.points);
     return Window::rectangle(box);
   }
   const Rectangle window = rectangle_from(options.window, "--window");
@@ -108,14 +118,28 @@ PatternCurve tested(std::vector<double> distances, std::vector<double> observed,
   result.distances = std::move(distances);
   result.values = observed;
   if (simulations == 0) return result;
+  const auto checked = [&curve](std::uint64_t k) {
+    checkpoint();
+    return curve(k);
+  };
   result.test = extreme_rank_length_test(
-      curves_with_simulations(std::move(observed), simulations, curve, threads));
+      curves_with_simulations(std::move(observed), simulations, checked, threads));
   result.simulations = simulations;
   return result;
 }
 
+/// Whether pairs nearer than `reach` can be visited within seconds: in lumps there may be nearly as
+/// many as of all points.
+bool are_few_pairs(const std::vector<Point2>& points, const Window& window, double reach) {
+  constexpr double most_pairs = 2e9;
+  const PointGrid grid(points, window, 1.0, reach);
+  return grid.mean_company() * static_cast<double>(points.size()) < most_pairs;
+}
+
 PatternCurve l_curve(const PatternFindings& f, const PatternOptions& options) {
   const std::vector<double> r = default_distances(f.points.size(), f.window, 64);
+  if (!are_few_pairs(f.points, f.window, r.back()))
+    return {.distances = r, .has_too_many_pairs = true};
   const EdgeCorrection correction = usual_correction(f.window.kind());
   const auto l_of = [&f, r, correction](const std::vector<Point2>& points) {
     return l_from_k(ripley_k(points, f.window, r, correction));
@@ -124,7 +148,8 @@ PatternCurve l_curve(const PatternFindings& f, const PatternOptions& options) {
   return tested(
       r, l_of(f.points), curves_for(f.points.size(), static_cast<std::size_t>(options.simulations)),
       [&, seed](std::uint64_t k) {
-        return l_of(random_pattern(f.window, f.points.size(), seed, k));
+        const auto draw = f.window_is_guessed ? box_filling_pattern : random_pattern;
+        return l_of(draw(f.window, f.points.size(), seed, k));
       },
       options.threads);
 }
@@ -132,6 +157,8 @@ PatternCurve l_curve(const PatternFindings& f, const PatternOptions& options) {
 PatternCurve mark_curve(const PatternFindings& f, const std::vector<double>& marks,
                         const PatternOptions& options) {
   const std::vector<double> r = default_distances(f.points.size(), f.window, 64);
+  if (!are_few_pairs(f.points, f.window, r.back()))
+    return {.distances = r, .has_too_many_pairs = true};
   const SmoothingOptions smoothing{.correction = usual_correction(f.window.kind())};
   const auto k_of = [&, r](const std::vector<double>& labels) {
     return mark_correlation(f.points, labels, f.window, r, smoothing);
@@ -152,6 +179,12 @@ SpeciesPair cross_curve(const PatternFindings& f, const std::string& first,
   }
   const std::size_t n = both.first.size() + both.second.size();
   const std::vector<double> r = default_distances(n, f.window, 64);
+  if (!are_few_pairs(f.points, f.window, r.back()))
+    return {first,
+            second,
+            both.first.size(),
+            both.second.size(),
+            {.distances = r, .has_too_many_pairs = true}};
   const EdgeCorrection correction = usual_correction(f.window.kind());
   const auto l_of = [&f, r, correction](const TwoSpecies& s) {
     return l_from_k(cross_ripley_k(s.first, s.second, f.window, r, correction));
@@ -194,12 +227,16 @@ void measure_hopkins(PatternFindings& f, const PatternOptions& options) {
   CounterStream stream(options.seed + sampling, 0);
   f.sampled_hopkins = hopkins_sampled(f.points, f.window, f.points.size(), stream, options.threads);
   f.clark_evans = clark_evans(f.points, f.window, options.threads);
+  if (f.window_is_guessed)  // points on every side: not what its law is about
+    f.clark_evans.z = f.clark_evans.p_value = std::numeric_limits<double>::quiet_NaN();
   if (f.points.size() < 2) return;
   step(fmt::format("simulating {} random patterns", options.simulations));
   f.null = hopkins_null(f.window, f.points.size(),
                         {.simulations = static_cast<std::size_t>(options.simulations),
                          .seed = options.seed,
-                         .threads = options.threads});
+                         .threads = options.threads,
+                         .fills_box = f.window_is_guessed,
+                         .checkpoint = checkpoint});
   if (!std::isnan(f.hopkins.mean_ratio))
     f.p_value = rank_p_value(f.hopkins.mean_ratio, f.null.mean_ratio, Tail::both);
 }

@@ -125,6 +125,40 @@ TEST_F(PatternCommand, HasAnswersForOddPatterns) {
   EXPECT_EQ(two["n"], 2);
 }
 
+TEST_F(PatternCommand, SaysWhatIsUndefined) {
+  std::string zeros = "x,y,m\n";
+  for (int i = 0; i < 12; ++i)
+    zeros += std::to_string(i % 4) + "," + std::to_string(i / 4 + 0.1 * i) + ",0\n";
+  const Outcome outcome = run_line("pattern " + file("zeros.csv", zeros) + window + " --mark m");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("mark correlation of m: undefined"));
+  const json guessed = document(file("three.csv", "x,y\n0,0\n1,2\n3,1\n"));
+  EXPECT_TRUE(guessed["clark_evans"]["p_value"].is_null());
+}
+
+TEST_F(PatternCommand, LeavesOutWhatWouldTakeHours) {
+  std::string csv = "x,y\n9,9\n";
+  CounterStream stream(6, 0);
+  for (int i = 0; i < 50'000; ++i) {
+    const double x = 1e-5 * stream.next_unit();
+    csv += std::to_string(1e6 * x) + "e-6," + std::to_string(1e6 * 1e-5 * stream.next_unit()) +
+           "e-6\n";
+  }
+  const Outcome outcome =
+      run_line("pattern " + file("lump.csv", csv) + window + " --simulations 39");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("too many pairs"));
+  EXPECT_THAT(outcome.out, HasSubstr("verdict: clustered"));
+}
+
+TEST_F(PatternCommand, TakesNamesInAnyEncoding) {
+  const json d = document(file("odd.csv",
+                               "x,y,s\n1,1,b\xfc"
+                               "che\n2,3,oak\n4,1,oak\n") +
+                          window + " --species s");
+  EXPECT_EQ(d["species"].size(), 1u);
+}
+
 TEST_F(PatternCommand, RefusesWrongInput) {
   const auto with = [&](const char* text) { return "pattern " + file("w.csv", text); };
   expect_refused_line("pattern", "points");
@@ -136,6 +170,8 @@ TEST_F(PatternCommand, RefusesWrongInput) {
   expect_refused_line(with("x,y\n1,2\n") + " --torus", "--torus needs --window");
   const std::string good = with("x,y\n1,2\n3,4\n");
   expect_refused_line(good + " --window 0,0,0,1", "--window '0,0,0,1'");
+  expect_refused_line(good + " --window 0,0,1e200,1e100", "use another unit");
+  expect_refused_line(with("x,y\n0,0\n1e-170,2e-170\n"), "use another unit");
   expect_refused_line(good + " --mark height", "no column 'height'");
   expect_refused_line(good + " --species sp", "no column 'sp'");
   expect_refused_line(good + " --simulations 5", "simulations");

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli/pattern_output.hpp"
 
+#include "cli/option_values.hpp"
+
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -29,13 +32,15 @@ ordered_json numbers(const std::vector<double>& values) {
 std::string kind_of(const PatternFindings& f) {
   if (f.points.size() < 2) return "undecided";
   if (std::isinf(f.hopkins.mean_ratio)) return "clustered";
-  if (!f.p_value || *f.p_value > level) return "random";
+  if (!f.p_value) return "undecided";
+  if (*f.p_value > level) return "random";
   return f.hopkins.mean_ratio > 1.0 ? "clustered" : "regular";
 }
 
 std::string verdict_of(const PatternFindings& f) {
   const std::string kind = kind_of(f);
-  if (kind == "undecided") return "undecided: it takes at least two points";
+  if (f.points.size() < 2) return "undecided: it takes at least two points";
+  if (kind == "undecided") return "undecided: the index has no value here";
   if (std::isinf(f.hopkins.mean_ratio)) return "clustered: every point has a twin at its own place";
   if (kind == "random")
     return "random: nothing speaks against points that know nothing of each other";
@@ -62,10 +67,16 @@ ordered_json ratio_json(double exact, double sampled, const std::vector<double>&
   return json;
 }
 
+bool is_undefined(const PatternCurve& curve) {
+  return std::none_of(curve.values.begin(), curve.values.end(),
+                      [](double value) { return std::isfinite(value); });
+}
+
 ordered_json curve_json(const PatternCurve& curve, const char* name) {
   ordered_json json{{"r", numbers(curve.distances)}, {name, numbers(curve.values)}};
   json["simulations"] = curve.simulations;
-  json["p_value"] = curve.simulations > 0 ? ordered_json(curve.test.p_value) : nullptr;
+  const bool is_tested = curve.simulations > 0 && !is_undefined(curve);
+  json["p_value"] = is_tested ? ordered_json(curve.test.p_value) : nullptr;
   if (curve.simulations > 0) {
     json["low"] = numbers(curve.test.low);
     json["high"] = numbers(curve.test.high);
@@ -120,6 +131,9 @@ std::string departures(const PatternCurve& curve, const char* above, const char*
 
 std::string curve_line(const std::string& name, const PatternCurve& curve, const char* above,
                        const char* below) {
+  if (curve.has_too_many_pairs)
+    return fmt::format("{}: not computed, too many pairs: the points stand in tight lumps\n", name);
+  if (is_undefined(curve)) return fmt::format("{}: undefined at every distance\n", name);
   if (curve.simulations == 0) return fmt::format("{}: not tested for so many points\n", name);
   return fmt::format("{}: p = {:.3g} ({} simulations); {}\n", name, curve.test.p_value,
                      curve.simulations, departures(curve, above, below));
@@ -142,6 +156,13 @@ std::string ratio_line(const char* name, double exact, double sampled,
     band = fmt::format("{:.4f} to {:.4f}", ends[0], ends[1]);
   }
   return fmt::format("{:<22} {:>10.6g} {:>10.6g}   {}\n", name, exact, sampled, band);
+}
+
+std::string clark_evans_test(const PatternFindings& f) {
+  if (f.window_is_guessed) return "no p-value in a guessed window";
+  const ClarkEvansIndex& c = f.clark_evans;
+  if (std::isnan(c.z)) return "no p-value: window too thin or points too few for its law";
+  return fmt::format("z = {:.2f}, p = {:.3g}", c.z, c.p_value);
 }
 
 }  // namespace
@@ -180,7 +201,7 @@ std::string pattern_json(const PatternFindings& f, const PatternOptions& options
   json["p_value"] = f.p_value ? ordered_json(*f.p_value) : nullptr;
   json["kind"] = kind_of(f);
   json["verdict"] = verdict_of(f);
-  return json.dump(2) + "\n";
+  return json_text(json) + "\n";
 }
 
 std::string pattern_text(const PatternFindings& f, const PatternOptions& options) {
@@ -200,9 +221,9 @@ std::string pattern_text(const PatternFindings& f, const PatternOptions& options
   text += "  1 random, above clustered, below regular; spatstat prints the second's reciprocal\n\n";
   const ClarkEvansIndex& c = f.clark_evans;
   text += fmt::format(
-      "Clark-Evans R = {:.4f} with edges allowed for ({:.4f} without), z = {:.2f}, p = {:.3g}\n"
+      "Clark-Evans R = {:.4f} with edges allowed for ({:.4f} without), {}\n"
       "mean distance to the nearest neighbour {:.6g}; {:.6g} for random patterns\n",
-      c.ratio, c.naive_ratio, c.z, c.p_value, c.mean_distance, c.expected_distance);
+      c.ratio, c.naive_ratio, clark_evans_test(f), c.mean_distance, c.expected_distance);
   text += curve_line("Besag's L", f.l_function, "more neighbours than by chance",
                      "fewer neighbours than by chance");
   if (f.marks)

@@ -22,7 +22,8 @@ namespace phytobench::cli {
 struct PatternCurve {
   std::vector<double> distances, values;
   EnvelopeTest test;
-  std::size_t simulations = 0;  ///< 0: not tested
+  std::size_t simulations = 0;      ///< 0: not tested
+  bool has_too_many_pairs = false;  ///< not even computed: points stand in tight lumps
 };
 
 struct SpeciesPair {

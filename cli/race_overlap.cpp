@@ -51,6 +51,8 @@ std::vector<OverlapContestant> chosen_contestants(const OverlapRaceOptions& opti
 }
 
 OverlapWorkload chosen_workload(const OverlapRaceOptions& options) {
+  if (!options.window.empty() && (options.discs.empty() || !options.torus))
+    throw InputError("--window says which torus your --discs lie on; give --torus and --discs too");
   if (options.discs.empty())
     return random_discs({.count = static_cast<std::size_t>(std::llround(options.size)),
                          .sizes = disc_sizes_named(options.sizes),
@@ -226,7 +228,7 @@ int race_overlap(const OverlapRaceOptions& options) {
                                                              .order_seed = options.seed,
                                                              .show_progress = show_progress,
                                                              .is_interrupted = is_interrupted});
-  print(options.json ? document(workload, result, options).dump(2) + "\n"
+  print(options.json ? json_text(document(workload, result, options)) + "\n"
                      : table(workload, result));
   const bool wrong = std::any_of(result.entries.begin(), result.entries.end(),
                                  [](const OverlapEntry& e) { return e.state == State::inexact; });

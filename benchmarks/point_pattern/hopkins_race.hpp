@@ -30,6 +30,10 @@ struct HopkinsRaceRequest {
   std::function<bool()> is_interrupted = {};                   ///< may be empty
 };
 
+/// What is wrong with an index that should be another up to a relative tolerance; empty if nothing.
+/// NaN and infinity are equal to nothing.
+std::string objection_to(const HopkinsIndex& found, const HopkinsIndex& expected, double tolerance);
+
 /// Exact first, then sampled through the suite's grid and through a k-d tree. Before any is timed
 /// the two sampled ones must agree to 1e-9 at the same places, and the exact one with them within
 /// five standard errors of sampling. Throws Interrupted when asked to stop.

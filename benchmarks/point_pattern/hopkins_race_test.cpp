@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/point_pattern/hopkins_race.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/contract/errors.hpp"
@@ -26,6 +28,12 @@ TEST(HopkinsRace, TimesWaysThatAgree) {
 }
 
 TEST(HopkinsRace, ObjectsToWhatDiffers) {
+  const HopkinsIndex right{1.02, 1.05};
+  EXPECT_EQ(objection_to(right, right, 0.0), "");
+  EXPECT_EQ(objection_to({1.0201, 1.05}, right, 1e-3), "");
+  EXPECT_NE(objection_to({1.0301, 1.05}, right, 1e-3), "");
+  EXPECT_NE(objection_to({1.02, 1.06}, right, 1e-3), "");
+  EXPECT_NE(objection_to({std::nan(""), 1.05}, right, 1e-3), "");
   // Twins: a k-d tree gives the point itself or its twin, and both ways agree on 0; but of points
   // all at one place there is no index to compare.
   const auto ways =

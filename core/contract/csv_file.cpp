@@ -22,6 +22,12 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+/// As spreadsheets and R write names; what holds a comma stays two fields.
+std::string_view unquoted(std::string_view field) {
+  const bool is_quoted = field.size() >= 2 && field.front() == '"' && field.back() == '"';
+  return is_quoted ? trimmed(field.substr(1, field.size() - 2)) : field;
+}
+
 /// Without the three bytes that some programs put before UTF-8.
 std::string_view without_mark(std::string_view text) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
@@ -38,7 +44,7 @@ void split(std::string_view line, std::vector<std::string_view>& fields) {
   fields.clear();
   for (;;) {
     const std::size_t comma = line.find(',');
-    fields.push_back(trimmed(line.substr(0, comma)));
+    fields.push_back(unquoted(trimmed(line.substr(0, comma))));
     if (comma == std::string_view::npos) return;
     line.remove_prefix(comma + 1);
   }

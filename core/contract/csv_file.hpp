@@ -9,7 +9,8 @@
 namespace phytobench {
 
 /// Numbers from a comma-separated file whose first line names the columns. Other columns may be
-/// there and are ignored; empty lines and lines that start with # are skipped. Returns one vector
+/// there and are ignored; empty lines and lines that start with # are skipped, double quotes
+/// around a field are taken off. Returns one vector
 /// per wanted column, in the order of `columns`, all of the same length. Throws InputError with
 /// file:line for a missing column, a line with more or fewer fields than the header, a field that
 /// is no finite number, and a file without any line of numbers.

@@ -174,9 +174,9 @@ TEST(NumberColumnsError, WrongNumberOfFieldsSaysBothAndWhatToDo) {
 
 TEST(NumberColumnsError, WhatIsNoFiniteNumberIsShownWithColumnAndWayOut) {
   for (const std::string& field : std::vector<std::string>{
-           "nan",  "NaN",   "-nan",  "inf",   "-inf",  "Infinity", "1e999", "-1e999",
-           "0x10", "0x1p3", "one",   "1.5m",  "1 2",   "--1",      "1e",    "e5",
-           ".",    "-",     "1.2.3", "\"1\"", "1_000", "½"}) {
+           "nan",  "NaN",   "-nan",  "inf",  "-inf",  "Infinity", "1e999", "-1e999",
+           "0x10", "0x1p3", "one",   "1.5m", "1 2",   "--1",      "1e",    "e5",
+           ".",    "-",     "1.2.3", "\"1",  "1_000", "½"}) {
     EXPECT_THAT(field_error(field),
                 AllOf(StartsWith("cloud.csv:2: x = '" + field + "' is no finite number"),
                       HasSubstr("write it like 1.5 or 2e-3")))
@@ -249,6 +249,11 @@ TEST_F(NumberColumnsFile, MissingOrAFolderIsAnInputErrorThatNamesIt) {
   EXPECT_THAT(reading_error(folder_ / "nowhere.csv"),
               StartsWith((folder_ / "nowhere.csv").string() + ": no such file"));
   EXPECT_THAT(reading_error(folder_), StartsWith(folder_.string() + ": is a folder"));
+}
+
+TEST(NumberColumns, MayBeQuotedAsRDoes) {
+  EXPECT_EQ(parse_number_columns("\"\",\"x\",\"y\"\n\"1\",2,\"3.5\"\n", "r.csv", {"x", "y"}),
+            (Columns{{2}, {3.5}}));
 }
 
 TEST_F(NumberColumnsFile, WordsStandBesideNumbers) {

@@ -29,7 +29,8 @@ class NothingSelected : public std::runtime_error {
 /// The user pressed Ctrl-C; everything finished so far is kept (exit code 130).
 class Interrupted : public std::runtime_error {
  public:
-  Interrupted() : std::runtime_error("interrupted; finished results are kept") {}
+  explicit Interrupted(const std::string& rest = "finished results are kept")
+      : std::runtime_error("interrupted; " + rest) {}
 };
 
 /// A broken promise between two parts of phytobench itself: always a bug (exit code 3).

@@ -48,7 +48,7 @@ void list_neighbours(const OverlapPairs& pairs, Neighbourhood& n) {
 }
 
 Neighbourhood neighbourhood_of(const Discs& discs, const Ground& ground, const Point2& origin,
-                               int threads) {
+                               const OverlapSetup& setup) {
   const std::vector<DiscEntry> entries = entries_with_images(discs, ground);
   Neighbourhood n;
   std::vector<double> x, y;
@@ -60,9 +60,7 @@ Neighbourhood neighbourhood_of(const Discs& discs, const Ground& ground, const P
     n.disc.push_back(e.is_image() ? DiscIndex{-1} : e.disc);
   }
   OverlapPairs pairs;
-  overlap_engine_named("layered_grid")
-      .create()
-      ->find({x, y, n.radius}, {}, {.threads = threads}, pairs);
+  overlap_engine_named("layered_grid").create()->find({x, y, n.radius}, {}, setup, pairs);
   list_neighbours(pairs, n);
   return n;
 }
@@ -332,14 +330,15 @@ Coverage put_together(const Discs& discs, const Neighbourhood& n,
 }  // namespace
 
 Coverage coverage(const Discs& discs, const Ground& ground, const std::optional<Rectangle>& window,
-                  int threads) {
+                  int threads, std::size_t most_pairs) {
   std::optional<Rectangle> counted = ground.torus ? ground.torus : window;
   Point2 origin;
   if (counted || discs.size() > 0) {
     const Rectangle box = counted ? *counted : box_of(discs);
     origin = 0.5 * (box.low + box.high);
   }
-  const Neighbourhood n = neighbourhood_of(discs, ground, origin, threads);
+  const Neighbourhood n =
+      neighbourhood_of(discs, ground, origin, {.threads = threads, .most_pairs = most_pairs});
   if (counted) counted = Rectangle{counted->low - origin, counted->high - origin};
   constexpr std::size_t job_size = 2048;
   std::vector<Findings> found((n.size() + job_size - 1) / job_size);

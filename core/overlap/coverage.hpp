@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/overlap/discs.hpp"
+#include "core/overlap/overlap_engine.hpp"
 
 namespace phytobench {
 
@@ -23,8 +23,10 @@ struct Coverage {
 /// covered the whole of each disc. Time grows as the number of overlapping pairs. A disc's covered
 /// area is off by some 1e-15 of its radius times the largest radius of its neighbours; by_times by
 /// as much of the radius times the size of the scene for each arc. The same for any number of
-/// threads. Throws InputError for more than 10^8 pairs; discs must be fit (problem_with()).
+/// threads. Throws InputError beyond most_pairs pairs (on a torus those of images, too); discs must
+/// be fit (problem_with()).
 Coverage coverage(const Discs& discs, const Ground& ground,
-                  const std::optional<Rectangle>& window = std::nullopt, int threads = 1);
+                  const std::optional<Rectangle>& window = std::nullopt, int threads = 1,
+                  std::size_t most_pairs = OverlapSetup().most_pairs);
 
 }  // namespace phytobench

@@ -15,6 +15,7 @@
 #include "core/overlap/overlap_registry.hpp"
 #include "core/parallel/vector_targets.hpp"
 #include "core/random/counter_stream.hpp"
+#include "core/statistics/running_moments.hpp"
 
 namespace phytobench {
 namespace {
@@ -165,6 +166,37 @@ Scene on_the_border() {
   return scene;
 }
 
+/// Diameters all but fill the period, sizes on both sides of a power of two, centers on the border.
+Scene full_torus() {
+  Scene scene{"nearly full torus"};
+  const double side = 2.0000002;
+  scene.ground.torus = Rectangle{{0, 0}, {side, side}};
+  for (int i = 0; i < 40; ++i)
+    scene.add(side * (i % 3) / 2, side * (i % 5) / 4, i % 2 == 0 ? 1.0 : 0.99999999);
+  return scene;
+}
+
+/// No height to speak of, and discs many times as large.
+Scene flat(std::string name, double height, bool along_x) {
+  Scene scene{std::move(name)};
+  for (std::size_t i = 0; i < 150; ++i) {
+    const double along = 300 * random_unit(6, 0, i), across = i % 2 == 0 ? 0.0 : height;
+    scene.add(along_x ? along : across, along_x ? across : along, i % 30 == 0 ? 120.0 : 0.4);
+  }
+  return scene;
+}
+
+/// Hundreds of discs in one cell of any grid that is not larger than they are many.
+Scene lump(std::string name, bool is_torus) {
+  Scene scene{std::move(name)};
+  for (std::size_t i = 0; i < 600; ++i)
+    scene.add(random_unit(7, 0, i), random_unit(7, 1, i), 0.02 * random_unit(7, 2, i));
+  scene.add(1e5, 1e5, 0.01);
+  scene.add(0.5, 1e5, 0.015);
+  if (is_torus) scene.ground.torus = Rectangle{{0, 0}, {1e5, 1e5}};
+  return scene;
+}
+
 Scene two(std::string name, double distance) {
   Scene scene{std::move(name)};
   scene.add(0, 0, 1);
@@ -200,6 +232,12 @@ std::vector<Scene> scenes() {
           crowded_torus(40),
           some_without_radius(),
           on_the_border(),
+          full_torus(),
+          flat("flat up to rounding along x", 1.1e-17, true),
+          flat("flat up to rounding along y", 1.1e-17, false),
+          flat("flatter than can be divided by", 1e-310, true),
+          lump("a lump in empty space", false),
+          lump("a lump on a large torus", true),
           two("just touching", 3.0),
           two("hardly overlapping", std::nextafter(3.0, 0.0)),
           two("one inside the other", 0.5),
@@ -281,6 +319,38 @@ TEST(LayeredGridLaw, ALargeDiscDoesNotMakeTheOthersLookFurther) {
   scene.add(100, 100, 100);
   EXPECT_LT(candidates(scene, "layered_grid"), grasses + 30'000);
   EXPECT_GT(candidates(scene, "cell_grid"), 100 * in_one_grid);  // what is to be avoided
+}
+
+/// Independent uniform discs on a torus share the product of their areas over the ground's on
+/// average: search, images and areas at once.
+TEST(LayeredGridLaw, PairsOnATorusAddUpToTheProductOfAreas) {
+  RunningMoments ratio;
+  const auto engine = overlap_engine_named("layered_grid").create();
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const Scene scene = random_scene("", 400, 4.0, true, 100 + seed);
+    double found = 0.0, areas = 0.0, squares = 0.0;
+    for (const Pair& pair : found_by(*engine, scene)) found += pair.area;
+    for (const double r : scene.radius) {
+      const double area = std::numbers::pi * r * r;
+      areas += area;
+      squares += area * area;
+    }
+    ratio.add(found * scene.ground.torus->area() / (0.5 * (areas * areas - squares)));
+  }
+  EXPECT_LT(std::abs(ratio.mean() - 1.0), 4 * ratio.standard_error());
+  EXPECT_LT(ratio.standard_error(), 0.006);  // the test can fail
+}
+
+/// One center far away makes the cells of a grid too wide for all others.
+TEST(LayeredGridLaw, ALumpInEmptySpaceIsNotComparedWithAllOfItself) {
+  Scene scene{"lump"};
+  for (std::size_t i = 0; i < 20'000; ++i)
+    scene.add(random_unit(8, 0, i), random_unit(8, 1, i), 0.005);
+  scene.add(1e5, 1e5, 0.005);
+  OverlapPairs pairs;
+  const OverlapWork work =
+      overlap_engine_named("layered_grid").create()->find(scene.discs(), scene.ground, {}, pairs);
+  EXPECT_LT(work.candidates, 4 * pairs.size());
 }
 
 TEST(SizeClasses, HoldEveryRadiusOnceFromLargeToSmall) {

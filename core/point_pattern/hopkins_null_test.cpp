@@ -51,6 +51,34 @@ TEST(HopkinsNullLaw, PValuesOfRandomPatternsAreUniform) {
   }
 }
 
+/// A window that is guessed as the bounding box has points on all of its sides: so must the peers.
+TEST(HopkinsNullLaw, LevelIsKeptInAGuessedWindow) {
+  constexpr int runs = 1000;
+  for (const std::size_t points : {3u, 20u}) {
+    int rejected = 0, without_care = 0;
+    for (std::uint64_t k = 0; k < runs; ++k) {
+      const Points pattern = random_pattern(square, points, 13, k);
+      Rectangle box{pattern[0], pattern[0]};
+      for (const Point2& p : pattern) {
+        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+      }
+      const Window guessed = Window::rectangle(box);
+      const auto null = [&](bool fills_box) {
+        return hopkins_null(guessed, points,
+                            {.simulations = 39, .seed = 1000 + k, .fills_box = fills_box});
+      };
+      rejected += p_value(pattern, guessed, null(true)) <= 0.05;
+      without_care += p_value(pattern, guessed, null(false)) <= 0.05;
+    }
+    const double error = std::sqrt(0.05 * 0.95 / runs);
+    EXPECT_NEAR(static_cast<double>(rejected) / runs, 0.05, 4 * error) << points;
+    if (points == 3) {
+      EXPECT_GT(static_cast<double>(without_care) / runs, 0.05 + 4 * error);
+    }
+  }
+}
+
 /// Neighbouring distances depend on each other: with as many places as points the F distribution
 /// of 2n and 2n degrees of freedom rejects random patterns far too often.
 TEST(HopkinsNullLaw, TheFTestWithAsManyPlacesAsPointsDoesNotHoldItsLevel) {
@@ -99,6 +127,19 @@ TEST(HopkinsNull, ScalesItsSpreadForLargePatterns) {
   EXPECT_NEAR(width(small.mean_ratio) / width(full.mean_ratio), 1.0, 0.25);
   EXPECT_NEAR(central_95(small.mean_ratio)[0], central_95(full.mean_ratio)[0], 0.004);
   EXPECT_NEAR(central_95(small.squared_ratio)[1], central_95(full.squared_ratio)[1], 0.008);
+}
+
+TEST(HopkinsNull, AStripStaysAStripWhenItIsCut) {
+  const Window strip = Window::rectangle({{0, 0}, {2000, 1}});
+  const HopkinsNull small =
+      hopkins_null(strip, 4000, {.simulations = 300, .seed = 1, .most_points = 400});
+  const HopkinsNull full =
+      hopkins_null(strip, 4000, {.simulations = 300, .seed = 2, .most_points = 4000});
+  const auto width = [](const std::vector<double>& values) {
+    const auto band = central_95(values);
+    return band[1] - band[0];
+  };
+  EXPECT_NEAR(width(small.mean_ratio) / width(full.mean_ratio), 1.0, 0.25);
 }
 
 TEST(HopkinsNull, DoesNotDependOnThreads) {

@@ -133,6 +133,13 @@ TEST(ClarkEvans, CountsEdgesAndTellsClustersFromLattices) {
   EXPECT_LT(clusters.z, -5);
   EXPECT_LT(clusters.ratio, clusters.naive_ratio);  // edges make distances longer
   EXPECT_TRUE(std::isnan(clark_evans(Points{{0, 0}}, square).ratio));
+  // No normal law in a strip: rather none than a wrong one.
+  for (const Window& strip :
+       {Window::rectangle({{0, 0}, {100, 1}}), Window::torus({{0, 0}, {1, 1e6}})}) {
+    const ClarkEvansIndex index = clark_evans(test_patterns::random_points(strip, 30, 1), strip);
+    EXPECT_TRUE(std::isnan(index.p_value));
+    EXPECT_FALSE(std::isnan(index.ratio));
+  }
 }
 
 TEST(LloydLaw, EnergyNeverRisesAndApproachesTheTriangularLattice) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/contract/check.hpp"
+#include "core/geometry/point_tree.hpp"
 #include "core/parallel/for_blocks.hpp"
 #include "core/point_pattern/point_grid.hpp"
 
@@ -119,12 +120,55 @@ class Search {
   double least_ = infinity;
 };
 
+/// The same through a balanced tree, for patterns whose points crowd into few cells.
+class TreeSearch {
+ public:
+  TreeSearch(std::span<const Point2> points, const Window& window)
+      : tree_(points), window_(window) {
+    const bool goes_round = window.kind() == WindowKind::torus;
+    const int reach = goes_round ? 1 : 0;
+    for (int ky = -reach; ky <= reach; ++ky)
+      for (int kx = -reach; kx <= reach; ++kx)
+        images_.push_back(
+            {kx * window.bounding_box().width(), ky * window.bounding_box().height()});
+  }
+
+  /// To the nearest point but the one with index `self`.
+  double nearest(const Point2& query, std::size_t self) const {
+    double least = infinity;
+    // Boxes of images are where rounding puts them: a little more is looked at.
+    const auto reach = [&least] { return least * (1.0 + 1e-12); };
+    for (const Point2& image : images_)
+      tree_.visit_all(query - image, reach, [&](std::size_t place) {
+        if (tree_.index(place) == self) return;
+        const Point2 d = window_.difference(query, tree_.point(place));
+        least = std::min(least, d.x * d.x + d.y * d.y);
+      });
+    return std::sqrt(least);
+  }
+
+ private:
+  PointTree tree_;
+  const Window& window_;
+  std::vector<Point2> images_;
+};
+
+/// Points that share a cell with a point on average, beyond which the tree is faster.
+constexpr double crowded = 60.0;
+
 }  // namespace
 
 std::vector<double> nearest_distances(std::span<const Point2> points, const Window& window,
                                       int threads) {
   const PointGrid grid(points, window, points_per_cell);
   std::vector<double> distances(points.size());
+  if (grid.mean_company() > crowded) {
+    const TreeSearch search(points, window);
+    for_blocks(points.size(), threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) distances[i] = search.nearest(points[i], i);
+    });
+    return distances;
+  }
   for_blocks(points.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       distances[grid.indices()[i]] = Search(grid, window, grid.points()[i], i).nearest();
@@ -138,6 +182,13 @@ std::vector<double> nearest_distances_from(std::span<const Point2> queries,
   for (const Point2& query : queries) PHYTOBENCH_EXPECT(window.bounding_box().contains(query));
   const PointGrid grid(points, window, points_per_cell);
   std::vector<double> distances(queries.size());
+  if (grid.mean_company() > crowded) {
+    const TreeSearch search(points, window);
+    for_blocks(queries.size(), threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) distances[i] = search.nearest(queries[i], nobody);
+    });
+    return distances;
+  }
   for_blocks(queries.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       distances[i] = Search(grid, window, queries[i], nobody).nearest();

@@ -10,8 +10,8 @@ namespace phytobench {
 
 /// For each point the distance to the nearest other one; infinity if there is none, 0 for points
 /// with a twin. Equal bit for bit to the least sqrt(dx*dx + dy*dy) of Window::difference() over a
-/// double loop, for any number of threads. Through a cell grid in O(n) where the density does not
-/// vary much; a strongly clustered pattern is slower, at worst by the points in its fullest cells.
+/// double loop, for any number of threads. Through a cell grid in O(n); where points
+/// crowd into few cells, through a balanced tree in O(n log n).
 /// Expects all points inside the window's bounding box.
 std::vector<double> nearest_distances(std::span<const Point2> points, const Window& window,
                                       int threads = 1);

@@ -70,6 +70,16 @@ double standard_error(const Window& window, double n) {
   return std::sqrt(variance);
 }
 
+/// Whether a strip along the edge as wide as points are apart leaves most of the window free; on a
+/// torus, whether several points fit into its shorter side.
+bool is_compact(const Window& window, double n) {
+  const double spacing = std::sqrt(window.area() / n);
+  const Rectangle& box = window.bounding_box();
+  if (window.kind() == WindowKind::torus)
+    return std::min(box.width(), box.height()) > 4.0 * spacing;
+  return window.perimeter() * spacing < window.area();
+}
+
 }  // namespace
 
 double expected_nearest_distance(const Window& window, std::size_t count) {
@@ -90,6 +100,10 @@ ClarkEvansIndex clark_evans(std::span<const Point2> points, const Window& window
   index.expected_distance = expected_nearest_distance(window, points.size() - 1);
   index.ratio = index.mean_distance / index.expected_distance;
   index.naive_ratio = index.mean_distance / (0.5 * std::sqrt(window.area() / n));
+  if (!is_compact(window, n)) {
+    index.z = index.p_value = std::numeric_limits<double>::quiet_NaN();
+    return index;
+  }
   index.z = (index.mean_distance - index.expected_distance) / standard_error(window, n);
   index.p_value = boost::math::erfc(std::abs(index.z) / std::numbers::sqrt2);
   return index;

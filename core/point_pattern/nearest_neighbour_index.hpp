@@ -28,7 +28,9 @@ struct ClarkEvansIndex {
 };
 
 /// Donnelly 1978: expectation with edges, standard error sqrt(0.0703 A / n^2 + 0.037 P sqrt(A /
-/// n^5)); on a torus the exact expectation and the first term alone. NaN for fewer than two points.
+/// n^5)); on a torus the exact expectation and the first term alone. NaN for fewer than two points;
+/// z and p_value also where the window is so thin, or points so few, that its edge is near to most
+/// of them: the approximations are for compact windows.
 ClarkEvansIndex clark_evans(std::span<const Point2> points, const Window& window, int threads = 1);
 
 }  // namespace phytobench

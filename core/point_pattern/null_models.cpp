@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/point_pattern/null_models.hpp"
 
+#include <algorithm>
+
 #include "core/contract/check.hpp"
 #include "core/point_pattern/random_patterns.hpp"
 #include "core/random/counter_stream.hpp"
@@ -11,6 +13,24 @@ std::vector<Point2> random_pattern(const Window& window, std::size_t count, std:
                                    std::uint64_t index) {
   CounterStream stream(seed, index);
   return uniform_points(window, count, stream);
+}
+
+std::vector<Point2> box_filling_pattern(const Window& window, std::size_t count, std::uint64_t seed,
+                                        std::uint64_t index) {
+  PHYTOBENCH_EXPECT(count >= 2 && window.kind() != WindowKind::polygon);
+  std::vector<Point2> points = random_pattern(window, count, seed, index);
+  const Rectangle& box = window.bounding_box();
+  const auto stretch = [&points](double Point2::*axis, double low, double high) {
+    const auto [least, largest] =
+        std::minmax_element(points.begin(), points.end(),
+                            [axis](const Point2& a, const Point2& b) { return a.*axis < b.*axis; });
+    const double from = (*least).*axis, length = (*largest).*axis - from;
+    for (Point2& p : points)
+      p.*axis = std::clamp(low + (p.*axis - from) / length * (high - low), low, high);
+  };
+  stretch(&Point2::x, box.low.x, box.high.x);
+  stretch(&Point2::y, box.low.y, box.high.y);
+  return points;
 }
 
 std::vector<double> relabelled(std::span<const double> marks, std::uint64_t seed,

@@ -16,6 +16,12 @@ namespace phytobench {
 std::vector<Point2> random_pattern(const Window& window, std::size_t count, std::uint64_t seed,
                                    std::uint64_t index);
 
+/// The same for a window that was guessed as the bounding box of the pattern: stretched to the box,
+/// so that points lie on all of its sides, as the observed ones do. Given its bounding box, that is
+/// how a completely random pattern is distributed. At least two points; not for polygons.
+std::vector<Point2> box_filling_pattern(const Window& window, std::size_t count, std::uint64_t seed,
+                                        std::uint64_t index);
+
 /// Random labelling: the same marks in a random order (null model: places are given, marks fall on
 /// them by chance).
 std::vector<double> relabelled(std::span<const double> marks, std::uint64_t seed,

@@ -52,6 +52,16 @@ PointGrid::PointGrid(std::span<const Point2> points, const Window& window, doubl
   sort_in(points);
 }
 
+double PointGrid::mean_company() const {
+  if (points_.empty()) return 0.0;
+  double pairs = 0.0;
+  for (std::size_t c = 0; c + 1 < begins_.size(); ++c) {
+    const double count = begins_[c + 1] - begins_[c];
+    pairs += count * count;
+  }
+  return pairs / static_cast<double>(points_.size());
+}
+
 void PointGrid::sort_in(std::span<const Point2> points) {
   std::vector<std::uint32_t> cells(points.size());
   begins_.assign(static_cast<std::size_t>(columns_.cells * rows_.cells) + 1, 0);

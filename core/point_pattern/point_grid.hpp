@@ -55,6 +55,9 @@ class PointGrid {
     return begins_[static_cast<std::size_t>(row * columns_.cells + last + 1)];
   }
 
+  /// How many points, itself among them, a point shares its cell with on average; 0 without points.
+  double mean_company() const;
+
   const Point2* points() const { return points_.data(); }           ///< by cell
   const std::uint32_t* indices() const { return indices_.data(); }  ///< in the original order
 

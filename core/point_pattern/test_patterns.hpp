@@ -12,6 +12,7 @@
 
 #include "core/point_pattern/window.hpp"
 #include "core/random/counter_stream.hpp"
+#include "core/statistics/running_moments.hpp"
 
 namespace phytobench::test_patterns {
 
@@ -82,6 +83,11 @@ inline std::vector<NamedPattern> assorted_patterns() {
     all.push_back({kind + " duplicated", window, copies});
     all.push_back({kind + " all equal", window, Points(60, copies[0])});
     const Rectangle& box = window.bounding_box();
+    Points lump;
+    for (const Point2& p : random_points(window, 200, 11))
+      lump.push_back(box.low + 1e-6 * (p - box.low));
+    lump.push_back(window.corners()[2]);
+    all.push_back({kind + " lump", window, lump});
     Points row, column, diagonal;
     for (int i = 0; i < 80; ++i) {
       const double t = i * i / 6400.0;
@@ -100,17 +106,8 @@ inline std::vector<NamedPattern> assorted_patterns() {
 }
 
 /// Mean and standard error of independent values.
-struct Sample {
-  double sum = 0.0, squares = 0.0;
-  int count = 0;
-  void add(double value) {
-    sum += value, squares += value * value;
-    ++count;
-  }
-  double mean() const { return sum / count; }
-  double error() const {
-    return std::sqrt(std::max(0.0, squares / count - mean() * mean()) / (count - 1));
-  }
+struct Sample : RunningMoments {
+  double error() const { return standard_error(); }
   /// How many standard errors the mean lies above a value.
   double errors_above(double value) const { return (mean() - value) / error(); }
 };

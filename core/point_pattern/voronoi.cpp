@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/contract/check.hpp"
+#include "core/geometry/point_tree.hpp"
 #include "core/parallel/for_blocks.hpp"
-#include "core/point_pattern/point_tree.hpp"
 
 namespace phytobench {
 

@@ -110,6 +110,8 @@ Window Window::torus(const Rectangle& rectangle) {
 }
 
 Window Window::polygon(std::vector<Point2> corners) {
+  // Maps close a ring by its first corner.
+  if (corners.size() > 3 && corners.front() == corners.back()) corners.pop_back();
   refuse_wrong_corners(corners);
   refuse_crossing_sides(corners);
   const double area = signed_area(corners);

@@ -25,7 +25,8 @@ class Window {
   static Window rectangle(const Rectangle& rectangle);
   static Window torus(const Rectangle& rectangle);
 
-  /// At least three corners in either order, the last joined to the first. Throws InputError if
+  /// At least three corners in either order, the last joined to the first; the first may
+  /// stand there again at the end. Throws InputError if
   /// a corner is not finite or the same as the next, sides cross or touch, or the area is 0.
   static Window polygon(std::vector<Point2> corners);
 

@@ -15,6 +15,7 @@
 #include "core/point_pattern/pattern_svg.hpp"
 #include "core/point_pattern/voronoi.hpp"
 #include "core/random/counter_stream.hpp"
+#include "core/statistics/running_moments.hpp"
 #include "experiments/experiment.hpp"
 
 namespace phytobench::experiments::alsweis {
@@ -53,53 +54,46 @@ Run lloyd_run(std::size_t count, std::uint64_t seed, std::uint64_t start) {
 }
 
 void record_mean(ExperimentContext& context, const std::string& name,
-                 const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
-  double sum = 0.0, squares = 0.0;
-  for (const double v : values) {
-    sum += v;
-    squares += v * v;
-  }
+                 const RunningMoments& values) {
   const auto record = [&](const char* what, double value) {
     context.record({.experiment = {},
                     .measurement = name + what,
                     .value = value,
-                    .sample_size = static_cast<std::int64_t>(values.size()),
+                    .sample_size = values.count(),
                     .seed = context.seed()});
   };
-  record("/mean", sum / n);
-  record("/standard_error", std::sqrt(std::max(0.0, squares / n - sum * sum / n / n) / (n - 1.0)));
-  record("/least", *std::min_element(values.begin(), values.end()));
-  record("/largest", *std::max_element(values.begin(), values.end()));
+  record("/mean", values.mean());
+  record("/standard_error", values.standard_error());
+  record("/least", values.least());
+  record("/largest", values.largest());
 }
 
 void record_runs(ExperimentContext& context, std::size_t count) {
-  std::vector<double> hopkins, spacing, rise;
-  std::array<std::vector<double>, steps + 1> energy;
+  RunningMoments hopkins, spacing, rise;
+  std::array<RunningMoments, steps + 1> energy;
   for (std::uint64_t s = 0; s < starts; ++s) {
     context.progress(fmt::format("{} points, start {} of {}", count, s + 1, starts));
     const Run run = lloyd_run(count, context.seed(), s);
-    hopkins.push_back(run.hopkins);
-    spacing.push_back(run.spacing);
-    for (std::size_t k = 0; k <= steps; ++k) energy[k].push_back(run.energy[k]);
-    for (std::size_t k = 1; k <= steps; ++k)
-      rise.push_back(run.energy[k] / run.energy[k - 1] - 1.0);
+    hopkins.add(run.hopkins);
+    spacing.add(run.spacing);
+    for (std::size_t k = 0; k <= steps; ++k) energy[k].add(run.energy[k]);
+    for (std::size_t k = 1; k <= steps; ++k) rise.add(run.energy[k] / run.energy[k - 1] - 1.0);
   }
   const std::string name = fmt::format("points-{}", count);
   record_mean(context, name + "/hopkins", hopkins);
   record_mean(context, name + "/least_distance", spacing);
   for (const std::size_t k : {0u, 1u, 4u, 9u, 19u, 20u})
     record_mean(context, fmt::format("{}/energy.{}", name, k), energy[k]);
-  context.record(name + "/largest_rise", *std::max_element(rise.begin(), rise.end()));
+  context.record(name + "/largest_rise", rise.largest());
 }
 
 /// What else might stand behind "H = 0.4": darts thrown until none fits.
 void record_darts(ExperimentContext& context) {
-  std::vector<double> hopkins;
+  RunningMoments hopkins;
   for (std::uint64_t s = 0; s < starts; ++s) {
     CounterStream stream(context.seed(), 1000 + s);
     const double distance = std::sqrt(0.6966 / 200.0);
-    hopkins.push_back(
+    hopkins.add(
         hopkins_exact(dart_points(torus(), distance, until_saturated, stream), torus()).mean_ratio);
   }
   record_mean(context, "saturated-darts/hopkins", hopkins);

@@ -9,6 +9,7 @@
 #include "core/overlap/coverage.hpp"
 #include "core/overlap/overlap_registry.hpp"
 #include "core/random/counter_stream.hpp"
+#include "core/statistics/running_moments.hpp"
 #include "experiments/experiment.hpp"
 
 namespace phytobench::experiments::alsweis {
@@ -41,8 +42,9 @@ double disc_area(double r) {
 
 /// Two plants share the product of their areas over the ground's on average, wherever they are. All
 /// pairs add up to half of ((sum of areas)^2 - sum of squared areas) over the ground.
-void record_pair_sum(ExperimentContext& context, std::size_t count, int scenes) {
-  double sum = 0.0, squares = 0.0;
+void record_pair_sum(ExperimentContext& context, const std::string& size, std::size_t count,
+                     int scenes) {
+  RunningMoments ratio;
   for (int s = 0; s < scenes; ++s) {
     context.progress(fmt::format("{} plants, scene {} of {}", count, s + 1, scenes));
     const Scene scene = random_scene(count, context.seed() + static_cast<std::uint64_t>(s));
@@ -56,14 +58,9 @@ void record_pair_sum(ExperimentContext& context, std::size_t count, int scenes) 
       areas += disc_area(r);
       squared_areas += disc_area(r) * disc_area(r);
     }
-    const double ratio =
-        found * scene.ground.torus->area() / (0.5 * (areas * areas - squared_areas));
-    sum += ratio;
-    squares += ratio * ratio;
+    ratio.add(found * scene.ground.torus->area() / (0.5 * (areas * areas - squared_areas)));
   }
-  const double n = scenes, mean = sum / n;
-  const double error = std::sqrt(std::max(0.0, squares / n - mean * mean) / (n - 1.0));
-  const std::string name = fmt::format("pairs/plants-{}", count);
+  const std::string name = "pairs/" + size;
   const auto record = [&](const char* what, double value) {
     context.record({.experiment = {},
                     .measurement = name + what,
@@ -71,9 +68,10 @@ void record_pair_sum(ExperimentContext& context, std::size_t count, int scenes) 
                     .sample_size = scenes,
                     .seed = context.seed()});
   };
-  record("/over_expectation", mean);
-  record("/standard_error", error);
-  record("/deviation", (mean - 1.0) / error);
+  record("/plants", static_cast<double>(count));
+  record("/over_expectation", ratio.mean());
+  record("/standard_error", ratio.standard_error());
+  record("/deviation", (ratio.mean() - 1.0) / ratio.standard_error());
 }
 
 /// How many plants the sum over pairs says to be covered by more than themselves.
@@ -107,8 +105,8 @@ void record_multiplicity(ExperimentContext& context) {
 
 void run(ExperimentContext& context) {
   const bool full = context.tier() == Tier::full;
-  record_pair_sum(context, 1'000, 200);
-  record_pair_sum(context, full ? 1'000'000 : 100'000, 20);
+  record_pair_sum(context, "small", 1'000, 200);
+  record_pair_sum(context, "large", full ? 1'000'000 : 100'000, 20);
   record_multiplicity(context);
 }
 

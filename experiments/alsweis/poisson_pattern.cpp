@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Points drawn from the centre outwards: their distances, numbers and directions beside the laws of
-// a Poisson process of the same density. Deviations are given in standard errors that follow from
-// the law, not from the sample.
+// a Poisson process of the same density.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +8,6 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -18,7 +16,7 @@
 #include "core/point_pattern/random_patterns.hpp"
 #include "core/random/counter_stream.hpp"
 #include "core/statistics/chi_square.hpp"
-#include "core/statistics/kolmogorov_smirnov.hpp"
+#include "experiments/alsweis/beside_laws.hpp"
 #include "experiments/experiment.hpp"
 #include "reference/oracles/alsweis_poisson.hpp"
 
@@ -62,140 +60,6 @@ void for_patterns(ExperimentContext& context, Stream number, const Circle& circl
     if (i % 1000 == 0) context.progress(fmt::format("pattern {} of {}", i, count));
     use(poisson_points_outwards(circle.intensity, circle.radius, stream));
   }
-}
-
-/// Moments of a law; `fourth` is about the mean and says how well a variance can be known.
-struct Law {
-  double mean;
-  double variance;
-  double fourth;
-};
-
-/// The i-th arrival of a process of unit rate.
-Law gamma_law(double i) {
-  return {i, i, 3.0 * i * i + 6.0 * i};
-}
-
-Law poisson_law(double mean) {
-  return {mean, mean, mean + 3.0 * mean * mean};
-}
-
-/// The distance of the i-th point at intensity 1: the root of a gamma variable over pi.
-Law distance_law(double i) {
-  const auto raw = [i](double power) {
-    return std::tgamma(i + 0.5 * power) / (std::tgamma(i) * std::pow(pi, 0.5 * power));
-  };
-  const double mean = raw(1), square = raw(2);
-  return {mean, square - mean * mean,
-          raw(4) - 4.0 * mean * raw(3) + 6.0 * mean * mean * square - 3.0 * std::pow(mean, 4)};
-}
-
-struct Sample {
-  std::string name;
-  std::vector<double> values;
-  std::string unit = "1";
-};
-
-void record_of_sample(ExperimentContext& context, const std::string& name, double value,
-                      std::int64_t size, const std::string& unit = "1") {
-  context.record({.experiment = {},
-                  .measurement = name,
-                  .value = value,
-                  .unit = unit,
-                  .sample_size = size,
-                  .seed = context.seed()});
-}
-
-/// Mean and variance, and how far they are from the law's.
-void record_moments(ExperimentContext& context, const Sample& sample, const Law& law) {
-  const auto size = static_cast<std::int64_t>(sample.values.size());
-  const auto n = static_cast<double>(size);
-  double sum = 0.0, off_squared = 0.0;
-  for (const double value : sample.values) sum += value;
-  const double mean = sum / n;
-  for (const double value : sample.values) off_squared += (value - mean) * (value - mean);
-  const double variance = off_squared / (n - 1.0);
-  const double mean_error = std::sqrt(law.variance / n);
-  const double variance_error = std::sqrt((law.fourth - law.variance * law.variance) / n);
-  const std::string squared_unit = sample.unit == "1" ? "1" : sample.unit + "^2";
-  context.record({.experiment = {},
-                  .measurement = sample.name + "/mean",
-                  .value = mean,
-                  .unit = sample.unit,
-                  .sample_size = size,
-                  .spread = std::sqrt(variance),
-                  .seed = context.seed()});
-  record_of_sample(context, sample.name + "/variance", variance, size, squared_unit);
-  record_of_sample(context, sample.name + "/mean_deviation", (mean - law.mean) / mean_error, size,
-                   "standard errors");
-  record_of_sample(context, sample.name + "/variance_deviation",
-                   (variance - law.variance) / variance_error, size, "standard errors");
-}
-
-/// Probability that the i-th arrival of a process of unit rate comes after x: fewer than i until
-/// then. Also the tail of chi-square at 2 x with 2 i degrees of freedom.
-double gamma_tail(std::int64_t i, double x) {
-  double term = 1.0, sum = 1.0;
-  for (std::int64_t k = 1; k < i; ++k) {
-    term *= x / static_cast<double>(k);
-    sum += term;
-  }
-  return std::exp(-x) * sum;
-}
-
-/// Kolmogorov and Smirnov's test against the law of the i-th arrival.
-void record_arrival_fit(ExperimentContext& context, const std::string& name, std::int64_t i,
-                        std::vector<double> arrivals_of_i) {
-  for (double& q : arrivals_of_i) q = 1.0 - gamma_tail(i, q);
-  record_of_sample(context, name + "/ks_p_value", kolmogorov_uniformity_p_value(arrivals_of_i),
-                   static_cast<std::int64_t>(arrivals_of_i.size()));
-}
-
-/// Cells of `width` numbers each, the outer two open; an odd number of them, because gamma_tail()
-/// knows chi-square for even degrees of freedom only.
-struct NumberCells {
-  std::int64_t first, width, cells;
-
-  std::size_t of(std::int64_t number) const {
-    return static_cast<std::size_t>(
-        std::clamp((number - first) / width, std::int64_t{0}, cells - 1));
-  }
-};
-
-/// About four cells per standard deviation, to two of them on either side.
-NumberCells number_cells(double mean) {
-  const double deviation = std::sqrt(mean);
-  const std::int64_t width = std::max(std::int64_t{1}, std::int64_t{std::lround(deviation / 4.0)});
-  const auto half = static_cast<std::int64_t>(2.0 * deviation / static_cast<double>(width));
-  const std::int64_t first = std::int64_t{std::lround(mean)} - half * width;
-  return {std::max(std::int64_t{0}, first), width, 2 * half + 1};
-}
-
-/// Pearson's chi-square test of numbers against Poisson's law.
-double poisson_p_value(std::span<const double> counts, double mean) {
-  const NumberCells cells = number_cells(mean);
-  std::vector<double> observed(static_cast<std::size_t>(cells.cells), 0.0), share = observed;
-  for (const double count : counts) observed[cells.of(static_cast<std::int64_t>(count))] += 1.0;
-  double probability = std::exp(-mean), rest = 1.0;
-  for (std::int64_t k = 0; k < cells.first + cells.width * (cells.cells - 1); ++k) {
-    share[cells.of(k)] += probability;
-    rest -= probability;
-    probability *= mean / static_cast<double>(k + 1);
-  }
-  share.back() = rest;
-  double statistic = 0.0;
-  for (std::size_t cell = 0; cell < share.size(); ++cell) {
-    const double expected = share[cell] * static_cast<double>(counts.size());
-    statistic += (observed[cell] - expected) * (observed[cell] - expected) / expected;
-  }
-  return gamma_tail((cells.cells - 1) / 2, 0.5 * statistic);
-}
-
-void record_numbers(ExperimentContext& context, const Sample& counts, double mean) {
-  record_moments(context, counts, poisson_law(mean));
-  record_of_sample(context, counts.name + "/chi_square_p_value",
-                   poisson_p_value(counts.values, mean),
-                   static_cast<std::int64_t>(counts.values.size()));
 }
 
 /// The first points of the equations as printed, from the numbers that the generator draws, too.
@@ -279,31 +143,6 @@ void record_counts(ExperimentContext& context) {
   record_numbers(context, dense, crowd.mean_count());
 }
 
-/// Pearson's, from running sums.
-class Correlation {
- public:
-  void add(double x, double y) {
-    n_ += 1.0;
-    x_ += x;
-    y_ += y;
-    xx_ += x * x;
-    yy_ += y * y;
-    xy_ += x * y;
-  }
-
-  void record(ExperimentContext& context, const std::string& name) const {
-    const double value =
-        (n_ * xy_ - x_ * y_) / std::sqrt((n_ * xx_ - x_ * x_) * (n_ * yy_ - y_ * y_));
-    const auto size = static_cast<std::int64_t>(n_);
-    record_of_sample(context, name + "/correlation", value, size);
-    record_of_sample(context, name + "/correlation_deviation", value * std::sqrt(n_), size,
-                     "standard errors");
-  }
-
- private:
-  double n_ = 0.0, x_ = 0.0, y_ = 0.0, xx_ = 0.0, yy_ = 0.0, xy_ = 0.0;
-};
-
 /// How many points lie in squares anywhere in the circle, and whether two that lie apart know of
 /// each other.
 void record_homogeneity(ExperimentContext& context) {
@@ -350,26 +189,6 @@ void record_nearest(ExperimentContext& context) {
     record_arrival_fit(context, sample->name, 1, sample->values);
   }
 }
-
-/// Rayleigh's test: directions that prefer a side add up to a long vector.
-class Directions {
- public:
-  void add(double cosine, double sine) {
-    cosines_ += cosine;
-    sines_ += sine;
-    ++count_;
-  }
-
-  void record(ExperimentContext& context, const std::string& name) const {
-    const double squared = cosines_ * cosines_ + sines_ * sines_;
-    record_of_sample(context, name + "/rayleigh_p_value",
-                     std::exp(-squared / static_cast<double>(count_)), count_);
-  }
-
- private:
-  double cosines_ = 0.0, sines_ = 0.0;
-  std::int64_t count_ = 0;
-};
 
 /// Directions of all points, of each as seen from the one before, and with their distances.
 void record_directions(ExperimentContext& context) {

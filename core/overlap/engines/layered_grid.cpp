@@ -6,6 +6,8 @@
 
 #include <atomic>
 
+#include "core/geometry/point_tree.hpp"
+#include "core/overlap/candidate_pairs.hpp"
 #include "core/overlap/layered_grid/pair_scan.hpp"
 #include "core/parallel/for_blocks.hpp"
 
@@ -36,12 +38,38 @@ std::vector<PairScanJob> jobs_of(const LayeredGrid& grid, const OverlapSetup& se
   return jobs;
 }
 
+/// Every disc asks a balanced tree for the centers within its own diameter: the smaller of a pair
+/// is found by the larger. Slower than a grid, but nothing can crowd it.
+OverlapWork find_by_tree(const Discs& discs, const Ground& ground, const OverlapSetup& setup,
+                         OverlapPairs& pairs) {
+  PairCollector collector(discs, ground, setup, pairs);
+  const std::vector<DiscEntry> entries = entries_with_images(discs, ground);
+  std::vector<Point2> centers;
+  centers.reserve(entries.size());
+  for (const DiscEntry& e : entries) centers.push_back({e.x, e.y});
+  const PointTree tree(centers);
+  for (const DiscEntry& i : entries) {
+    if (i.is_image()) break;  // they follow the discs
+    const auto disc = static_cast<std::size_t>(i.disc);
+    const double squared_reach = 4.000001 * i.radius * i.radius;
+    tree.visit_all(
+        {i.x, i.y}, [squared_reach] { return squared_reach; },
+        [&](std::size_t place) {
+          const DiscEntry& j = entries[tree.index(place)];
+          if (offers_from_larger(discs, disc, j))
+            collector.offer(disc, static_cast<std::size_t>(j.disc), j.image);
+        });
+  }
+  return collector.finish();
+}
+
 class LayeredGridEngine final : public OverlapEngine {
  public:
   OverlapWork find(const Discs& discs, const Ground& ground, const OverlapSetup& setup,
                    OverlapPairs& pairs) override {
     pairs.clear();
     grid_.build(discs, ground, setup.threads);
+    if (grid_.is_clumped()) return find_by_tree(discs, ground, setup, pairs);
     std::atomic<std::size_t> pairs_so_far = 0;
     const std::vector<PairScanJob> jobs = jobs_of(grid_, setup, pairs_so_far);
     OverlapWork work;

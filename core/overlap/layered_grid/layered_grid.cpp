@@ -103,12 +103,33 @@ void LayeredGrid::lay_out(DiscLayer& layer) const {
   };
   layer.columns = cells(width);
   layer.rows = cells(height);
-  // They fill the box, and so the period of a torus, exactly.
-  const auto per_unit = [&](std::int32_t count, double length) {
-    return length > 0.0 ? count / length : 0.0;
+  layer.is_crowded_by_space = edge > 8.0 * wider * layer.largest_radius;
+  // They fill the box, and so the period of a torus, exactly. A box too thin to divide by has one.
+  const auto per_unit = [&](std::int32_t& count, double length) {
+    const double result = count / length;
+    if (std::isfinite(result)) return result;
+    count = 1;
+    return 0.0;
   };
   layer.cells_per_x = per_unit(layer.columns, width);
   layer.cells_per_y = per_unit(layer.rows, height);
+}
+
+bool LayeredGrid::is_clumped() const {
+  double pairs = 0.0, discs = 0.0;
+  for (const DiscLayer& layer : layers_) {
+    if (!layer.is_crowded_by_space) continue;
+    const std::uint32_t* const begin = cell_begin_.data() + layer.first_cell;
+    const auto cells =
+        static_cast<std::size_t>(layer.rows) * static_cast<std::size_t>(layer.columns);
+    for (std::size_t c = 0; c < cells; ++c) {
+      const double count = begin[c + 1] - begin[c];
+      pairs += count * count;
+    }
+    discs += static_cast<double>(layer.disc_count);
+  }
+  constexpr double too_many = 250.0;
+  return pairs > too_many * discs;
 }
 
 std::size_t LayeredGrid::layer_of(double radius) const {

@@ -21,12 +21,18 @@ struct DiscLayer {
   std::size_t first_row = 0;   ///< of this layer among the rows of all layers
   std::size_t first_cell = 0;  ///< the same for cells
   std::size_t disc_count = 0;
+  /// Cells are much wider than discs: else there would be more of them than discs.
+  bool is_crowded_by_space = false;
 };
 
 class LayeredGrid {
  public:
   /// Discs as an engine gets them. Radii of 0 are left out. The same for any number of threads.
   void build(const Discs& discs, const Ground& ground, int threads);
+
+  /// Whether cells that are wide for want of memory hold hundreds of discs each: a few lumps in
+  /// much empty space. A tree is faster then.
+  bool is_clumped() const;
 
   /// From the largest discs to the smallest.
   const std::vector<DiscLayer>& layers() const { return layers_; }

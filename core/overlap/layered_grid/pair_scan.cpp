@@ -50,7 +50,12 @@ class PairScan {
   }
 
  private:
-  const std::uint32_t* cells_of(const DiscLayer& layer, std::int32_t row) const {
+  /// How often cell `c` of a ring of `count` lies round it: below 0 backwards.
+  static std::int64_t turns_of(std::int64_t c, std::int64_t count) {
+    return c >= 0 ? c / count : -((count - 1 - c) / count);
+  }
+
+  const std::uint32_t* cells_of(const DiscLayer& layer, std::int64_t row) const {
     return cell_begin_ + layer.first_cell +
            static_cast<std::size_t>(row) * static_cast<std::size_t>(layer.columns);
   }
@@ -58,16 +63,15 @@ class PairScan {
   /// Calls visit(run) for the cells first ... last of a row, which go round on a torus and end at
   /// the border elsewhere.
   template <class Visit>
-  HWY_INLINE void for_runs(const DiscLayer& layer, std::int32_t row, std::int64_t first,
+  HWY_INLINE void for_runs(const DiscLayer& layer, std::int64_t row, std::int64_t first,
                            std::int64_t last, const Visit& visit) const {
     const std::int64_t columns = layer.columns;
     Point2 shift;
-    if (is_torus_ && (row < 0 || row >= layer.rows)) {
-      const std::int32_t turns = row < 0 ? -1 : 1;  // diameters fit into the period
+    if (row < 0 || row >= layer.rows) {
+      if (!is_torus_) return;
+      const std::int64_t turns = turns_of(row, layer.rows);
       row -= turns * layer.rows;
-      shift.y = turns * period_.y;
-    } else if (row < 0 || row >= layer.rows) {
-      return;
+      shift.y = static_cast<double>(turns) * period_.y;
     }
     const std::uint32_t* cells = cells_of(layer, row);
     const auto cell = [&](std::int64_t c) { return std::size_t{cells[c]}; };
@@ -80,7 +84,7 @@ class PairScan {
       return;
     }
     for (std::int64_t c = first; c <= last;) {
-      const std::int64_t turns = c >= 0 ? c / columns : -((columns - 1 - c) / columns);
+      const std::int64_t turns = turns_of(c, columns);
       const std::int64_t end = std::min(last + 1, (turns + 1) * columns);
       shift.x = static_cast<double>(turns) * period_.x;
       visit(Run{cell(c - turns * columns), cell(end - turns * columns), shift});
@@ -125,18 +129,22 @@ class PairScan {
     const double reach = (radius_[i] + layer.largest_radius) * (1.0 + 1e-6);
     const double x = x_[i] - low_.x, y = y_[i] - low_.y;
     const Disc disc = disc_at(i);
-    const auto cell = [](double offset, double per_unit) {
-      return static_cast<std::int64_t>(std::floor(offset * per_unit));
+    // One beyond the border is enough on the plane; reach may be a number of heights without end.
+    const double turns = is_torus_ ? 3.0 : 0.0;
+    const auto cell = [turns](double offset, double per_unit, std::int32_t count) {
+      return static_cast<std::int64_t>(
+          std::clamp(std::floor(offset * per_unit), -1.0 - turns * count, (1.0 + turns) * count));
     };
-    const std::int64_t first = cell(y - reach, layer.cells_per_y);
-    const std::int64_t last = cell(y + reach, layer.cells_per_y);
+    const std::int64_t first = cell(y - reach, layer.cells_per_y, layer.rows);
+    const std::int64_t last = cell(y + reach, layer.cells_per_y, layer.rows);
     const std::int64_t from = is_torus_ ? first : std::max<std::int64_t>(first, 0);
     const std::int64_t to = is_torus_ ? last : std::min<std::int64_t>(last, layer.rows - 1);
     for (std::int64_t row = from; row <= to; ++row) {
       const double half = half_chord(layer, static_cast<double>(row), y, reach);
       if (half < 0.0) continue;
-      for_runs(layer, static_cast<std::int32_t>(row), cell(x - half, layer.cells_per_x),
-               cell(x + half, layer.cells_per_x), [&](const Run& run) { scan_run(disc, run); });
+      for_runs(layer, row, cell(x - half, layer.cells_per_x, layer.columns),
+               cell(x + half, layer.cells_per_x, layer.columns),
+               [&](const Run& run) { scan_run(disc, run); });
     }
   }
 

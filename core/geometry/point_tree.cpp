@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/point_pattern/point_tree.hpp"
+#include "core/geometry/point_tree.hpp"
 
 #include <algorithm>
 
