@@ -84,4 +84,23 @@ inline bool offers_from_larger(const Discs& discs, std::size_t i, const DiscEntr
   return entry.radius < r || (entry.radius == r && i < static_cast<std::size_t>(entry.disc));
 }
 
+/// For indices that know centers but no radii: every disc has `search(entry, squared_reach, visit)`
+/// call visit(row of an entry) for all centers within twice its own radius, which finds the smaller
+/// of every pair.
+template <class Search>
+void offer_within_diameters(const Discs& discs, const std::vector<DiscEntry>& entries,
+                            PairCollector& collector, const Search& search) {
+  // A little more: touching is decided by the distance.
+  constexpr double two_radii_squared = 4.000001;
+  for (const DiscEntry& i : entries) {
+    if (i.is_image()) break;  // they follow the discs
+    const auto disc = static_cast<std::size_t>(i.disc);
+    search(i, two_radii_squared * i.radius * i.radius, [&](std::size_t row) {
+      const DiscEntry& j = entries[row];
+      if (offers_from_larger(discs, disc, j))
+        collector.offer(disc, static_cast<std::size_t>(j.disc), j.image);
+    });
+  }
+}
+
 }  // namespace phytobench

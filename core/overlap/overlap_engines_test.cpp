@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "core/contract/errors.hpp"
-#include "core/overlap/layered_grid/size_classes.hpp"
 #include "core/overlap/lens.hpp"
 #include "core/overlap/overlap_registry.hpp"
 #include "core/parallel/vector_targets.hpp"
@@ -351,76 +350,6 @@ TEST(LayeredGridLaw, ALumpInEmptySpaceIsNotComparedWithAllOfItself) {
   const OverlapWork work =
       overlap_engine_named("layered_grid").create()->find(scene.discs(), scene.ground, {}, pairs);
   EXPECT_LT(work.candidates, 4 * pairs.size());
-}
-
-TEST(SizeClasses, HoldEveryRadiusOnceFromLargeToSmall) {
-  std::vector<double> radii{0.0, 0.0};
-  for (std::size_t i = 0; i < 5000; ++i)
-    radii.push_back(std::pow(10.0, 40 * random_unit(1, 0, i) - 20));
-  for (const double area : {0.0, 1e-30, 1.0, 1e30}) {
-    const auto classes = size_classes(radii, area);
-    std::size_t sum = 0;
-    for (std::size_t c = 0; c < classes.size(); ++c) {
-      sum += classes[c].count;
-      EXPECT_LE(classes[c].first_exponent, classes[c].last_exponent);
-      if (c > 0) {
-        EXPECT_GT(classes[c - 1].first_exponent, classes[c].last_exponent);
-      }
-      std::size_t count = 0;
-      double largest = 0.0;
-      for (const double r : radii) {
-        const std::size_t e = exponent_of(r);
-        if (r <= 0.0 || e < classes[c].first_exponent || e > classes[c].last_exponent) continue;
-        ++count;
-        largest = std::max(largest, r);
-      }
-      EXPECT_EQ(count, classes[c].count);
-      EXPECT_EQ(largest, classes[c].largest);
-    }
-    EXPECT_EQ(sum, 5000u);
-  }
-}
-
-TEST(SizeClasses, LikeSizesShareOneAndWorldsApartDoNot) {
-  std::vector<double> radii(10'000, 1.1);
-  for (std::size_t i = 0; i < radii.size(); i += 2) radii[i] = 0.9;
-  EXPECT_EQ(size_classes(radii, 40'000).size(), 1u);
-  radii.push_back(100.0);
-  EXPECT_EQ(size_classes(radii, 40'000).size(), 2u);
-  EXPECT_TRUE(size_classes(std::vector<double>{0.0}, 1.0).empty());
-}
-
-TEST(OverlapPairs, SortsAndAddsUpImages) {
-  OverlapPairs pairs;
-  pairs.push_back(2, 3, 1.0);
-  pairs.push_back(0, 3, 0.25);
-  pairs.push_back(0, 1, 0.5);
-  pairs.push_back(0, 3, 0.125);
-  pairs.sort_and_merge(4);
-  ASSERT_EQ(pairs.size(), 3u);
-  EXPECT_THAT(pairs.first(), testing::ElementsAre(0, 0, 2));
-  EXPECT_THAT(pairs.second(), testing::ElementsAre(1, 3, 3));
-  EXPECT_THAT(pairs.area(), testing::ElementsAre(0.5, 0.375, 1.0));
-}
-
-TEST(ProblemWith, NamesTheFirstDiscThatNoEngineCanTake) {
-  const auto problem = [](double x, double r, bool is_torus = false) {
-    Scene scene;
-    scene.add(1, 1, 1);
-    scene.add(x, 2, r);
-    if (is_torus) scene.ground.torus = Rectangle{{0, 0}, {10, 20}};
-    const auto found = problem_with(scene.discs(), scene.ground);
-    return found ? std::to_string(found->disc) + ": " + found->what : "";
-  };
-  EXPECT_EQ(problem(5, 1), "");
-  EXPECT_EQ(problem(5, 0), "");
-  EXPECT_EQ(problem(5, 4.99, true), "");
-  EXPECT_THAT(problem(5, -1), testing::HasSubstr("1: radius -1 is negative"));
-  EXPECT_THAT(problem(5, 1e-80), testing::HasSubstr("1e-60"));
-  EXPECT_THAT(problem(1e61, 1), testing::HasSubstr("beyond"));
-  EXPECT_THAT(problem(11, 1, true), testing::HasSubstr("outside"));
-  EXPECT_THAT(problem(5, 5, true), testing::HasSubstr("round the torus"));
-  EXPECT_THAT(problem(std::nan(""), 1), testing::HasSubstr("1: "));
 }
 
 TEST(OverlapRegistry, NamesAreUniqueAndUnknownOnesAreRefused) {

@@ -42,18 +42,12 @@ OverlapWork find_overlaps(const Discs& discs, const Ground& ground, const Overla
       flann::Matrix<double>(centers.data(), entries.size(), 2),
       flann::KDTreeSingleIndexParams(leaf_size));
   tree.buildIndex();
-  for (const DiscEntry& i : entries) {
-    if (i.is_image()) break;  // they follow the discs
-    const auto disc = static_cast<std::size_t>(i.disc);
-    const auto visit = [&](std::size_t row) {
-      const DiscEntry& j = entries[row];
-      if (offers_from_larger(discs, disc, j))
-        collector.offer(disc, static_cast<std::size_t>(j.disc), j.image);
-    };
-    const double center[] = {i.x, i.y};
-    Within within(4.000001 * i.radius * i.radius, visit);
-    tree.findNeighbors(within, center, flann::SearchParams());
-  }
+  offer_within_diameters(discs, entries, collector,
+                         [&](const DiscEntry& i, double squared_reach, const auto& visit) {
+                           const double center[] = {i.x, i.y};
+                           Within within(squared_reach, visit);
+                           tree.findNeighbors(within, center, flann::SearchParams());
+                         });
   collector.work().places = entries.size();
   return collector.finish();
 }

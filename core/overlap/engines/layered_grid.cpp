@@ -48,18 +48,12 @@ OverlapWork find_by_tree(const Discs& discs, const Ground& ground, const Overlap
   centers.reserve(entries.size());
   for (const DiscEntry& e : entries) centers.push_back({e.x, e.y});
   const PointTree tree(centers);
-  for (const DiscEntry& i : entries) {
-    if (i.is_image()) break;  // they follow the discs
-    const auto disc = static_cast<std::size_t>(i.disc);
-    const double squared_reach = 4.000001 * i.radius * i.radius;
-    tree.visit_all(
-        {i.x, i.y}, [squared_reach] { return squared_reach; },
-        [&](std::size_t place) {
-          const DiscEntry& j = entries[tree.index(place)];
-          if (offers_from_larger(discs, disc, j))
-            collector.offer(disc, static_cast<std::size_t>(j.disc), j.image);
-        });
-  }
+  offer_within_diameters(discs, entries, collector,
+                         [&](const DiscEntry& i, double squared_reach, const auto& visit) {
+                           tree.visit_all(
+                               {i.x, i.y}, [squared_reach] { return squared_reach; },
+                               [&](std::size_t place) { visit(tree.index(place)); });
+                         });
   return collector.finish();
 }
 

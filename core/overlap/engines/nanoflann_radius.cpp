@@ -2,6 +2,7 @@
 // nanoflann's kd-tree of centers. It knows no radii, so each disc asks for all centers within twice
 // its own: the smaller of a pair is always found by the larger.
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include <nanoflann.hpp>
@@ -51,18 +52,12 @@ OverlapWork find_overlaps(const Discs& discs, const Ground& ground, const Overla
   if (entries.empty()) return collector.finish();
   Tree tree(2, centers, nanoflann::KDTreeSingleIndexAdaptorParams(10));
   tree.buildIndex();
-  for (const DiscEntry& i : entries) {
-    if (i.is_image()) break;  // they follow the discs
-    const auto disc = static_cast<std::size_t>(i.disc);
-    const auto visit = [&](std::size_t row) {
-      const DiscEntry& j = entries[row];
-      if (offers_from_larger(discs, disc, j))
-        collector.offer(disc, static_cast<std::size_t>(j.disc), j.image);
-    };
-    const double center[] = {i.x, i.y};
-    Within<decltype(visit)> within{4.000001 * i.radius * i.radius, visit};
-    tree.findNeighbors(within, center, nanoflann::SearchParams());
-  }
+  offer_within_diameters(discs, entries, collector,
+                         [&](const DiscEntry& i, double squared_reach, const auto& visit) {
+                           const double center[] = {i.x, i.y};
+                           Within<std::decay_t<decltype(visit)>> within{squared_reach, visit};
+                           tree.findNeighbors(within, center, nanoflann::SearchParams());
+                         });
   collector.work().places = entries.size();
   return collector.finish();
 }
