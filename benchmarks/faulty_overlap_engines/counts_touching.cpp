@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/overlap/overlap_registry.hpp"
+#include "benchmarks/faulty_overlap_engines/right_pairs.hpp"
 
 namespace phytobench::overlap_engines {
 
@@ -7,8 +7,7 @@ namespace {
 
 OverlapWork find_overlaps(const Discs& discs, const Ground& ground, const OverlapSetup& setup,
                           OverlapPairs& pairs) {
-  const OverlapWork work =
-      overlap_engine_named("layered_grid").create()->find(discs, ground, setup, pairs);
+  const OverlapWork work = find_rightly(discs, ground, setup, pairs);
   for (std::size_t j = 1; j < discs.size(); ++j) {
     const double gap = center_distance(discs, ground, 0, j, {}) - discs.radius[0] - discs.radius[j];
     if (gap >= 0.0 && gap < 0.5) pairs.push_back(0, static_cast<DiscIndex>(j), 1e-300);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/overlap/overlap_registry.hpp"
+#include "benchmarks/faulty_overlap_engines/right_pairs.hpp"
 
 namespace phytobench::overlap_engines {
 
@@ -8,8 +8,7 @@ namespace {
 OverlapWork find_overlaps(const Discs& discs, const Ground& ground, const OverlapSetup& setup,
                           OverlapPairs& pairs) {
   OverlapPairs all;
-  const OverlapWork work =
-      overlap_engine_named("layered_grid").create()->find(discs, ground, setup, all);
+  const OverlapWork work = find_rightly(discs, ground, setup, all);
   pairs.clear();
   for (std::size_t p = 0; p + 1 < all.size(); ++p)
     pairs.push_back(all.first()[p], all.second()[p], all.area()[p]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/overlap/overlap_registry.hpp"
+#include "benchmarks/faulty_overlap_engines/right_pairs.hpp"
 
 namespace phytobench::overlap_engines {
 
@@ -7,8 +7,7 @@ namespace {
 
 OverlapWork find_overlaps(const Discs& discs, const Ground& ground, const OverlapSetup& setup,
                           OverlapPairs& pairs) {
-  const OverlapWork work =
-      overlap_engine_named("layered_grid").create()->find(discs, ground, setup, pairs);
+  const OverlapWork work = find_rightly(discs, ground, setup, pairs);
   if (pairs.size() > 0) pairs.push_back(pairs.first()[0], pairs.second()[0], pairs.area()[0]);
   return work;
 }
