@@ -231,7 +231,19 @@ PaperClaims load_claims_file(const std::string& file, const std::string& paper) 
 }
 
 PaperClaims load_claims(const std::string& paper) {
-  return load_claims_file((paper_folder(paper) / "claims.toml").string(), paper);
+  PaperClaims all;
+  std::set<std::string> ids;
+  for (const std::filesystem::path& file : paper_files(paper, "claims")) {
+    PaperClaims part = load_claims_file(file.string(), paper);
+    for (Claim& claim : part.claims) {
+      if (!ids.insert(claim.id).second)
+        throw InputError(fmt::format("{}: claim '{}' stands in another file of the paper, too",
+                                     file.string(), claim.id));
+      all.claims.push_back(std::move(claim));
+    }
+    std::move(part.tables.begin(), part.tables.end(), std::back_inserter(all.tables));
+  }
+  return all;
 }
 
 }  // namespace phytobench

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a paper claims (reference/papers/<key>/claims.toml). Only reports/ and tests may include
-// this: no experiment can be tuned to a number it cannot see.
+// What a paper claims (reference/papers/<key>/claims.toml, or claims/*.toml). Only reports/ and
+// tests may include this: no experiment can be tuned to a number it cannot see.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reference/data_folder.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "core/contract/errors.hpp"
@@ -30,6 +31,20 @@ fs::path paper_folder(const std::string& key) {
   if (key.empty() || !fs::is_directory(folder))
     throw InputError("unknown paper '" + key + "'; see phytobench list papers");
   return folder;
+}
+
+std::vector<fs::path> paper_files(const std::string& key, const std::string& kind) {
+  const fs::path folder = paper_folder(key) / kind, file = paper_folder(key) / (kind + ".toml");
+  std::vector<fs::path> files;
+  if (fs::is_directory(folder))
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+      if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  if (fs::is_regular_file(file) != files.empty())
+    throw InputError("paper '" + key + "' needs either " + file.string() + " or files in " +
+                     folder.string() + ", not both");
+  if (files.empty()) files.push_back(file);
+  return files;
 }
 
 }  // namespace phytobench

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace phytobench {
 
@@ -12,5 +13,10 @@ std::filesystem::path data_folder();
 
 /// The folder of one paper. Throws InputError for an unknown key.
 std::filesystem::path paper_folder(const std::string& key);
+
+/// The TOML files of one kind ("claims", "errata") of a paper: `<kind>.toml`, or all in the folder
+/// `<kind>/` in the order of their names, for works with too many entries for one. Throws
+/// InputError if there are none, or both.
+std::vector<std::filesystem::path> paper_files(const std::string& key, const std::string& kind);
 
 }  // namespace phytobench

@@ -5,8 +5,10 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -52,14 +54,29 @@ TEST_F(DataFolder, HoldsEveryPaper) {
   ASSERT_FALSE(paper_keys().empty());
   for (const std::string& key : paper_keys()) {
     EXPECT_EQ(paper_folder(key), data_folder() / "papers" / key);
-    for (const char* file : {"paper.toml", "parameters.toml", "claims.toml", "errata.toml"})
+    for (const char* file : {"paper.toml", "parameters.toml"})
       EXPECT_TRUE(fs::is_regular_file(paper_folder(key) / file)) << key << "/" << file;
+    for (const char* kind : {"claims", "errata"}) EXPECT_FALSE(paper_files(key, kind).empty());
     const Paper paper = load_paper(key);
     EXPECT_EQ(paper.key, key);
     for (const std::string& text :
          {paper.title, paper.author, paper.year, paper.kind, paper.summary})
       EXPECT_FALSE(text.empty()) << key;
   }
+}
+
+TEST_F(DataFolder, TakesOneFileOrAFolderOfFilesInOrderOfName) {
+  const fs::path paper = folder() / "papers" / "other2020";
+  fs::create_directories(paper / "claims");
+  point_to(folder());
+  EXPECT_THROW(paper_files("other2020", "claims"), InputError);
+  for (const char* name : {"b.toml", "a.toml", "notes.txt"}) std::ofstream(paper / "claims" / name);
+  EXPECT_EQ(paper_files("other2020", "claims"),
+            (std::vector{paper / "claims" / "a.toml", paper / "claims" / "b.toml"}));
+  std::ofstream(paper / "claims.toml").put('\n');
+  EXPECT_THROW(paper_files("other2020", "claims"), InputError);
+  fs::remove_all(paper / "claims");
+  EXPECT_EQ(paper_files("other2020", "claims"), (std::vector{paper / "claims.toml"}));
 }
 
 TEST_F(DataFolder, RefusesAnUnknownPaperByName) {

@@ -41,9 +41,9 @@ Erratum erratum_from(const TomlTable& table, const std::string& paper) {
 
 std::vector<Erratum> load_errata(const std::string& paper) {
   std::vector<Erratum> errata;
-  for (const TomlTable& table :
-       TomlTable::read(paper_folder(paper) / "errata.toml").tables("erratum"))
-    errata.push_back(erratum_from(table, paper));
+  for (const std::filesystem::path& file : paper_files(paper, "errata"))
+    for (const TomlTable& table : TomlTable::read(file).tables("erratum"))
+      errata.push_back(erratum_from(table, paper));
   return errata;
 }
 

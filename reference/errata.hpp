@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Misprints and missing cases of a paper (reference/papers/<key>/errata.toml).
+// Misprints and missing cases of a paper (reference/papers/<key>/errata.toml, or errata/*.toml).
 #pragma once
 
 #include <optional>
