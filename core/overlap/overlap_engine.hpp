@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string_view>
 
 #include "core/overlap/discs.hpp"
@@ -21,6 +23,9 @@ struct OverlapWork {
   std::uint64_t places = 0;  ///< cells, tree nodes or boxes looked up, as the engine counts them
 };
 
+/// Gets pairs piece by piece.
+using TakePairs = std::function<void(std::span<const OverlapPairs>)>;
+
 class OverlapEngine {
  public:
   virtual ~OverlapEngine() = default;
@@ -31,6 +36,17 @@ class OverlapEngine {
   /// keep its memory for the next call.
   virtual OverlapWork find(const Discs& discs, const Ground& ground, const OverlapSetup& setup,
                            OverlapPairs& pairs) = 0;
+
+  /// The same pairs in the same order, for those who need each only once: calls `take` in this
+  /// thread with some of them after the other, in one or more pieces. Where an engine can, each
+  /// call brings few enough to stay in a cache. `scratch` may hold them.
+  virtual OverlapWork find_in_parts(const Discs& discs, const Ground& ground,
+                                    const OverlapSetup& setup, OverlapPairs& scratch,
+                                    const TakePairs& take) {
+    const OverlapWork work = find(discs, ground, setup, scratch);
+    take(std::span(&scratch, 1));
+    return work;
+  }
 };
 
 /// One constant of this type per file in engines/, one line in overlap_engines.def.

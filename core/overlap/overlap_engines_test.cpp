@@ -256,6 +256,27 @@ TEST_P(OverlapEnginesOracle, FindEveryPairAndItsArea) {
   }
 }
 
+TEST_P(OverlapEnginesOracle, PiecesAreTheWholeInItsOrder) {
+  if (!GetParam()->built()) GTEST_SKIP() << "needs " << GetParam()->missing_package;
+  const auto engine = GetParam()->create();
+  std::vector<Scene> all = scenes();
+  all.push_back(random_scene("many jobs", 60'000, 3.0, true, 12));
+  for (const Scene& scene : all) {
+    if (scene.x.size() > 5'000 && GetParam()->name == "all_pairs") continue;
+    OverlapPairs whole, scratch, joined;
+    engine->find(scene.discs(), scene.ground, {}, whole);
+    for (const int threads : {1, 2, 3}) {
+      joined.clear();
+      engine->find_in_parts(
+          scene.discs(), scene.ground, {.threads = threads}, scratch,
+          [&](std::span<const OverlapPairs> pieces) { joined.append_all(pieces, 1); });
+      EXPECT_TRUE(std::ranges::equal(joined.first(), whole.first())) << scene.name;
+      EXPECT_TRUE(std::ranges::equal(joined.second(), whole.second())) << scene.name;
+      EXPECT_TRUE(std::ranges::equal(joined.area(), whole.area())) << scene.name;
+    }
+  }
+}
+
 TEST_P(OverlapEnginesOracle, GivesUpBeyondTheMostPairs) {
   if (!GetParam()->built()) GTEST_SKIP() << GetParam()->missing_package << " was not found";
   const Scene scene = all_at_one_place();

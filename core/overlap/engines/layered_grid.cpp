@@ -4,7 +4,9 @@
 // of what it looks at overlaps it.
 #include "core/overlap/layered_grid/layered_grid.hpp"
 
+#include <algorithm>
 #include <atomic>
+#include <span>
 
 #include "core/geometry/point_tree.hpp"
 #include "core/overlap/candidate_pairs.hpp"
@@ -71,25 +73,51 @@ class LayeredGridEngine final : public OverlapEngine {
       for (const PairScanJob& job : jobs) add(scan_pairs(job, pairs), work);
       return work;
     }
-    if (found_.size() < jobs.size()) found_.resize(jobs.size());
-    std::vector<OverlapWork> done(jobs.size());
-    for_tasks(jobs.size(), setup.threads, [&](std::size_t j) {
-      found_[j].clear();
-      done[j] = scan_pairs(jobs[j], found_[j]);
-    });
-    for (const OverlapWork& more : done) add(more, work);
+    run(jobs, setup.threads, work);
     pairs.append_all(std::span(found_).first(jobs.size()), setup.threads);
     return work;
   }
 
+  OverlapWork find_in_parts(const Discs& discs, const Ground& ground, const OverlapSetup& setup,
+                            OverlapPairs& scratch, const TakePairs& take) override {
+    grid_.build(discs, ground, setup.threads);
+    if (grid_.is_clumped()) {
+      const OverlapWork work = find_by_tree(discs, ground, setup, scratch);
+      take(std::span(&scratch, 1));
+      return work;
+    }
+    std::atomic<std::size_t> pairs_so_far = 0;
+    const std::vector<PairScanJob> all = jobs_of(grid_, setup, pairs_so_far);
+    // Enough jobs at a time to keep all threads busy, few enough to keep pairs near.
+    const auto at_a_time = static_cast<std::size_t>(setup.threads <= 1 ? 1 : 8 * setup.threads);
+    OverlapWork work;
+    for (std::size_t begin = 0; begin < all.size(); begin += at_a_time) {
+      const auto jobs = std::span(all).subspan(begin, std::min(at_a_time, all.size() - begin));
+      run(jobs, setup.threads, work);
+      take(std::span(found_).first(jobs.size()));
+    }
+    return work;
+  }
+
  private:
+  /// Pairs of jobs[j] to found_[j].
+  void run(std::span<const PairScanJob> jobs, int threads, OverlapWork& work) {
+    if (found_.size() < jobs.size()) found_.resize(jobs.size());
+    std::vector<OverlapWork> done(jobs.size());
+    for_tasks(jobs.size(), threads, [&](std::size_t j) {
+      found_[j].clear();
+      done[j] = scan_pairs(jobs[j], found_[j]);
+    });
+    for (const OverlapWork& more : done) add(more, work);
+  }
+
   static void add(const OverlapWork& more, OverlapWork& work) {
     work.candidates += more.candidates;
     work.places += more.places;
   }
 
   LayeredGrid grid_;
-  std::vector<OverlapPairs> found_;  ///< by each job, with several threads
+  std::vector<OverlapPairs> found_;  ///< by each of the jobs that run at a time
 };
 
 std::unique_ptr<OverlapEngine> create() {
