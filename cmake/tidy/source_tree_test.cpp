@@ -244,6 +244,7 @@ TEST(RegistrationTidy, EveryEngineAndExperimentHasOneLineAndOneFile) {
   for (const List& list :
        {List{"core/nearest_node/engines.def", "core/nearest_node/engines/"},
         List{"core/overlap/overlap_engines.def", "core/overlap/engines/"},
+        List{"core/competition/competition_rules.def", "core/competition/rules/"},
         List{"benchmarks/faulty_engines/faulty_engines.def", "benchmarks/faulty_engines/"},
         List{"benchmarks/faulty_overlap_engines/faulty_overlap_engines.def",
              "benchmarks/faulty_overlap_engines/"}}) {

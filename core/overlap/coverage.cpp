@@ -9,89 +9,31 @@
 #include <array>
 #include <numeric>
 
-#include "core/contract/check.hpp"
-#include "core/overlap/candidate_pairs.hpp"
-#include "core/overlap/crossing.hpp"
-#include "core/overlap/overlap_registry.hpp"
+#include "core/overlap/circle_walk.hpp"
+#include "core/overlap/neighbourhood.hpp"
 #include "core/parallel/for_blocks.hpp"
 
 namespace phytobench {
 
 namespace {
 
-/// Discs with their images, as plain discs of the plane around 0, and who overlaps whom.
-struct Neighbourhood {
-  std::vector<Point2> center;
-  std::vector<double> radius;
-  std::vector<DiscIndex> disc;  ///< -1 for an image
-  std::vector<std::size_t> begin;
-  std::vector<DiscIndex> neighbour;
+constexpr int beyond_window = -1;
 
-  std::size_t size() const { return center.size(); }
-  std::span<const DiscIndex> neighbours(std::size_t i) const {
-    return std::span(neighbour).subspan(begin[i], begin[i + 1] - begin[i]);
-  }
-};
-
-void list_neighbours(const OverlapPairs& pairs, Neighbourhood& n) {
-  n.begin.assign(n.size() + 1, 0);
-  for (const auto& side : {pairs.first(), pairs.second()})
-    for (const DiscIndex i : side) ++n.begin[static_cast<std::size_t>(i) + 1];
-  std::partial_sum(n.begin.begin(), n.begin.end(), n.begin.begin());
-  n.neighbour.resize(n.begin.back());
-  std::vector<std::size_t> next(n.begin.begin(), n.begin.end() - 1);
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    const DiscIndex i = pairs.first()[p], j = pairs.second()[p];
-    n.neighbour[next[static_cast<std::size_t>(i)]++] = j;
-    n.neighbour[next[static_cast<std::size_t>(j)]++] = i;
-  }
-}
-
-Neighbourhood neighbourhood_of(const Discs& discs, const Ground& ground, const Point2& origin,
-                               const OverlapSetup& setup) {
-  const std::vector<DiscEntry> entries = entries_with_images(discs, ground);
-  Neighbourhood n;
-  std::vector<double> x, y;
-  for (const DiscEntry& e : entries) {
-    x.push_back(e.x - origin.x);
-    y.push_back(e.y - origin.y);
-    n.center.push_back({x.back(), y.back()});
-    n.radius.push_back(e.radius);
-    n.disc.push_back(e.is_image() ? DiscIndex{-1} : e.disc);
-  }
-  OverlapPairs pairs;
-  overlap_engine_named("layered_grid").create()->find({x, y, n.radius}, {}, setup, pairs);
-  list_neighbours(pairs, n);
-  return n;
-}
-
-/// A place on a circle where it enters or leaves another disc, or the ground beyond a side of the
-/// window.
-struct Event {
-  double key;
-  Point2 local;   ///< from the circle's center
-  Point2 global;  ///< the same bits as on whatever is met there
-  DiscIndex other;
-  int step;  ///< +1 enters, -1 leaves
-};
-
-/// Other discs at some place of a circle. Where there is one, the sum of their numbers is its own.
+/// Others at some place of a circle. Where there is one, the sum is its place among the neighbours.
 struct Cover {
   int count = 0;
   std::int64_t sum = 0;
   int outside = 0;  ///< sides of the window that the place lies beyond
 
-  void add(DiscIndex other, int step) {
-    if (other < 0) {
+  void add(int met, int step) {
+    if (met == beyond_window) {
       outside += step;
       return;
     }
     count += step;
-    sum += std::int64_t{step} * other;
+    sum += std::int64_t{step} * met;
   }
 };
-
-constexpr DiscIndex beyond_window = -1;
 
 /// Part of a side of the window that a disc covers.
 struct SideInterval {
@@ -112,72 +54,25 @@ struct Findings {
   }
 };
 
-class CircleWalk {
+class CoverageWalk {
  public:
-  CircleWalk(const Neighbourhood& n, const std::optional<Rectangle>& window, Findings& findings)
-      : n_(n), window_(window), findings_(findings) {}
+  CoverageWalk(const Neighbourhood& n, const std::optional<Rectangle>& window, Findings& findings)
+      : n_(n), window_(window), findings_(findings), circle_(n) {}
 
   void around(std::size_t i) {
     i_ = i;
-    events_.clear();
-    start_ = Cover();
-    for (const DiscIndex j : n_.neighbours(i)) meet(static_cast<std::size_t>(j));
+    circle_.begin(i);
     if (window_) meet_window();
-    if (events_.empty()) {
+    cover_ = Cover();
+    if (circle_.is_uncut()) {
       whole_circle();
       return;
     }
-    std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
-      return a.key != b.key     ? a.key < b.key
-             : a.step != b.step ? a.step > b.step
-                                : a.other < b.other;
-    });
-    Cover cover = start_;
-    for (std::size_t e = 0; e < events_.size(); ++e) {
-      cover.add(events_[e].other, events_[e].step);
-      arc(events_[e], events_[e + 1 < events_.size() ? e + 1 : 0], cover);
-    }
+    circle_.walk([this](int met, int step) { cover_.add(met, step); },
+                 [this](const CircleArc& piece) { arc(piece); });
   }
 
  private:
-  void meet(std::size_t j) {
-    const double r = n_.radius[i_], s = n_.radius[j];
-    // The smaller disc's view of the two, the same from both sides.
-    const bool is_small = r < s || (r == s && i_ < j);
-    const std::size_t a = is_small ? i_ : j, b = is_small ? j : i_;
-    const Point2 between = n_.center[b] - n_.center[a];
-    const double distance = norm(between);
-    const double small = n_.radius[a], large = n_.radius[b];
-    if (distance <= large - small) {
-      // Of two that are one and the same, the later counts as the larger.
-      if (is_small) start_.add(static_cast<DiscIndex>(j), +1);
-      return;
-    }
-    if (distance - large >= small) return;  // touching, once the origin has moved
-    const Crossing c = crossing_of(small, large, between, distance);
-    const Point2 at_enter = n_.center[a] + c.enter, at_exit = n_.center[a] + c.exit;
-    if (is_small)
-      add_arc(c.enter, at_enter, c.exit, at_exit, static_cast<DiscIndex>(j));
-    else
-      add_arc(c.exit - between, at_exit, c.enter - between, at_enter, static_cast<DiscIndex>(j));
-  }
-
-  /// Covered by `other` from `enter` to `exit`.
-  void add_arc(const Point2& enter, const Point2& at_enter, const Point2& exit,
-               const Point2& at_exit, DiscIndex other) {
-    const double from = turn_key(enter), to = turn_key(exit);
-    if (from == to) {
-      // Hardly anything or nearly all: the other disc lies that way, or all around.
-      const bool nearly_all = other >= 0 && dot(enter, n_.center[static_cast<std::size_t>(other)] -
-                                                           n_.center[i_]) < 0.0;
-      if (nearly_all) start_.add(other, +1);
-      return;
-    }
-    if (from > to) start_.add(other, +1);  // goes through the direction where the walk begins
-    events_.push_back({from, enter, at_enter, other, +1});
-    events_.push_back({to, exit, at_exit, other, -1});
-  }
-
   /// Sides in the order bottom, right, top, left; outside is to the right of each.
   void meet_window() {
     const Rectangle& w = *window_;
@@ -195,59 +90,51 @@ class CircleWalk {
     const double r = n_.radius[i_];
     if (inside >= r) return;
     if (inside <= -r) {
-      start_.add(beyond_window, +1);
+      circle_.add_everywhere(beyond_window);
       return;
     }
     const double half = std::sqrt((r - inside) * (r + inside));
     const Point2 foot = inside * outwards, along{-half * outwards.y, half * outwards.x};
-    add_arc(foot - along, at(-half), foot + along, at(half), beyond_window);
+    circle_.add_arc(foot - along, at(-half), foot + along, at(half), beyond_window);
     findings_.sides.push_back({side, at(-half), at(half)});
   }
 
-  void arc(const Event& from, const Event& to, const Cover& cover) {
-    double turned = to.key - from.key;
-    if (turned < 0.0 || &from == &to) turned += 4.0;
-    if (turned == 0.0) return;
-    const double radius = n_.radius[i_];
-    const double segment = segment_area(radius, angle_between(from.local, to.local, turned));
-    if (cover.outside == 0)
-      add_times(cover, segment + 0.5 * cross(from.global, to.global - from.global));
-    if (cover.count > 1) return;
-    const Point2 chord = to.local - from.local;
-    const double around_own = segment + 0.5 * cross(from.local, chord);
-    add_alone(cover, around_own, chord);
+  void arc(const CircleArc& piece) {
+    if (cover_.outside == 0) add_times(piece.around_origin());
+    if (cover_.count <= 1) add_alone(piece.around_center(), piece.to.local - piece.from.local);
   }
 
   void whole_circle() {
+    for (const int met : circle_.at_start()) cover_.add(met, +1);
     const double area = std::numbers::pi * n_.radius[i_] * n_.radius[i_];
-    if (start_.outside == 0) add_times(start_, area);
-    if (start_.count <= 1) add_alone(start_, area, {});
+    if (cover_.outside == 0) add_times(area);
+    if (cover_.count <= 1) add_alone(area, {});
   }
 
-  void add_times(const Cover& cover, double area) {
-    findings_.add_times(cover.count + 1, area);
-    if (cover.count > 0) findings_.add_times(cover.count, -area);
+  void add_times(double area) {
+    findings_.add_times(cover_.count + 1, area);
+    if (cover_.count > 0) findings_.add_times(cover_.count, -area);
   }
 
   /// `area` as seen from this circle's center, `chord` the way from the arc's begin to its end.
-  void add_alone(const Cover& cover, double area, const Point2& chord) {
-    if (cover.count == 0) {
+  void add_alone(double area, const Point2& chord) {
+    if (cover_.count == 0) {
       findings_.alone.emplace_back(static_cast<DiscIndex>(i_), area);
       return;
     }
-    if (cover.count != 1) return;
-    const auto c = static_cast<std::size_t>(cover.sum);
-    if (n_.disc[c] < 0) return;  // its original has this arc's image
+    const DiscIndex other = n_.neighbours(i_)[static_cast<std::size_t>(cover_.sum)];
+    const auto c = static_cast<std::size_t>(other);
+    if (n_.is_image(c)) return;  // its original has this arc's image
     const Point2 shift = n_.center[i_] - n_.center[c];
-    findings_.alone.emplace_back(static_cast<DiscIndex>(c), -(area + 0.5 * cross(shift, chord)));
+    findings_.alone.emplace_back(other, -(area + 0.5 * cross(shift, chord)));
   }
 
   const Neighbourhood& n_;
   const std::optional<Rectangle>& window_;
   Findings& findings_;
+  CircleWalk circle_;
   std::size_t i_ = 0;
-  std::vector<Event> events_;
-  Cover start_;
+  Cover cover_;
 };
 
 /// The window's border belongs to the border of what is covered inside.
@@ -291,10 +178,13 @@ void add_sides(const Rectangle& window, const std::vector<SideInterval>& interva
   }
 }
 
-Rectangle box_of(const Discs& discs) {
+/// Seen from the middle of the window, or else of all centers, coordinates are short.
+Point2 middle_of(const Discs& discs, const std::optional<Rectangle>& window) {
+  if (window) return 0.5 * (window->low + window->high);
+  if (discs.size() == 0) return {};
   const auto [x_low, x_high] = std::minmax_element(discs.x.begin(), discs.x.end());
   const auto [y_low, y_high] = std::minmax_element(discs.y.begin(), discs.y.end());
-  return {{*x_low, *y_low}, {*x_high, *y_high}};
+  return 0.5 * (Point2{*x_low, *y_low} + Point2{*x_high, *y_high});
 }
 
 /// Adds up what the jobs have found, in their order.
@@ -320,7 +210,7 @@ Coverage put_together(const Discs& discs, const Neighbourhood& n,
   for (double& area : result.by_times) area = std::max(0.0, area);  // rounding may leave -1e-16
   result.covered.assign(discs.size(), 0.0);
   for (std::size_t e = 0; e < n.size(); ++e) {
-    if (n.disc[e] < 0 || n.neighbours(e).empty()) continue;
+    if (n.is_image(e) || n.neighbours(e).empty()) continue;
     const double area = std::numbers::pi * n.radius[e] * n.radius[e];
     result.covered[static_cast<std::size_t>(n.disc[e])] = std::clamp(area - alone[e], 0.0, area);
   }
@@ -332,18 +222,14 @@ Coverage put_together(const Discs& discs, const Neighbourhood& n,
 Coverage coverage(const Discs& discs, const Ground& ground, const std::optional<Rectangle>& window,
                   int threads, std::size_t most_pairs) {
   std::optional<Rectangle> counted = ground.torus ? ground.torus : window;
-  Point2 origin;
-  if (counted || discs.size() > 0) {
-    const Rectangle box = counted ? *counted : box_of(discs);
-    origin = 0.5 * (box.low + box.high);
-  }
-  const Neighbourhood n =
-      neighbourhood_of(discs, ground, origin, {.threads = threads, .most_pairs = most_pairs});
+  const Point2 origin = middle_of(discs, counted);
+  const Neighbourhood n = neighbourhood_of(
+      discs, ground, origin, own_pair_finder({.threads = threads, .most_pairs = most_pairs}));
   if (counted) counted = Rectangle{counted->low - origin, counted->high - origin};
   constexpr std::size_t job_size = 2048;
   std::vector<Findings> found((n.size() + job_size - 1) / job_size);
   for_tasks(found.size(), threads, [&](std::size_t job) {
-    CircleWalk walk(n, counted, found[job]);
+    CoverageWalk walk(n, counted, found[job]);
     for (std::size_t i = job * job_size; i < std::min(n.size(), (job + 1) * job_size); ++i)
       walk.around(i);
   });

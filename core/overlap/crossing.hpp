@@ -26,12 +26,18 @@ struct Crossing {
 /// must cross. The smaller circle should come first: its points are right to its own last digits.
 inline Crossing crossing_of(double r, double s, const Point2& between, double distance) {
   const Point2 along = (1.0 / distance) * between;
-  const double chord_at = 0.5 * (distance + (r - s) / distance * (r + s));
-  // Heron's formula with differences that do not cancel; below 0 only by rounding at a touch.
+  // Of a small circle both distance - s and s are many of its radii, of two alike r - s is exact.
+  const double chord_at = r < 0.5 * s ? 0.5 * ((distance - s) * (distance + s) + r * r) / distance
+                                      : 0.5 * (distance + (r - s) / distance * (r + s));
+  // Heron's formula with differences that do not cancel: from the longest side down, as Kahan
+  // writes it. Below 0 only by rounding at a touch.
   const double small = s < r ? s : r, large = s < r ? r : s;
-  const double beyond = distance - large;
-  const double product = (small + large + distance) * (small - beyond) * (small + beyond) *
-                         (large + (distance - small));
+  const double shortest = distance < small ? distance : small;
+  const double middle_side = distance < small ? small : distance < large ? distance : large;
+  const double longest = distance < large ? large : distance;
+  const double rest = longest - middle_side;
+  const double product = (longest + (middle_side + shortest)) * (shortest - rest) *
+                         (shortest + rest) * (longest + (middle_side - shortest));
   const double half = product > 0.0 ? std::sqrt(product) / (2.0 * distance) : 0.0;
   const Point2 middle = chord_at * along, across{-half * along.y, half * along.x};
   return {middle - across, middle + across};
@@ -52,8 +58,10 @@ inline double segment_area(double radius, double angle) {
   double difference = angle - std::sin(angle);
   if (std::abs(angle) < small) {
     const double a2 = angle * angle;
-    difference = angle * a2 / 6.0 *
-                 (1.0 - a2 / 20.0 * (1.0 - a2 / 42.0 * (1.0 - a2 / 72.0 * (1.0 - a2 / 110.0))));
+    difference =
+        angle * a2 / 6.0 *
+        (1.0 - a2 / 20.0 *
+                   (1.0 - a2 / 42.0 * (1.0 - a2 / 72.0 * (1.0 - a2 / 110.0 * (1.0 - a2 / 156.0)))));
   }
   return 0.5 * radius * radius * difference;
 }
