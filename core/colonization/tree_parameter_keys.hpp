@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/colonization/tree_parameters.hpp"
+#include "core/contract/parameter_keys.hpp"
 
 namespace phytobench {
 
@@ -37,6 +38,14 @@ struct NumberKey {
   bool whole = false;  ///< only whole numbers
   bool infinity_is_allowed = false;
   double& (*place)(TreeFileValues&) = nullptr;
+
+  NumberRange range() const {
+    return {.low = low,
+            .high = high,
+            .low_is_allowed = low_is_allowed,
+            .whole = whole,
+            .infinity_is_allowed = infinity_is_allowed};
+  }
 };
 
 /// Three numbers.

@@ -2,54 +2,37 @@
 #include "core/colonization/tree_parameters_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <set>
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include "core/colonization/tree_parameter_keys.hpp"
 #include "core/contract/errors.hpp"
-#include "core/contract/suggestion.hpp"
 #include "core/contract/text_file.hpp"
+#include "core/contract/toml_values.hpp"
 #include "core/nearest_node/engine.hpp"
 
 namespace phytobench {
 
 namespace {
 
-template <class... Alternatives>
-struct Overloaded : Alternatives... {
-  using Alternatives::operator()...;
-};
-template <class... Alternatives>
-Overloaded(Alternatives...) -> Overloaded<Alternatives...>;
-
 /// Vectors stay where their squares neither overflow nor vanish.
 constexpr double largest_component = 1e15;
 
-/// The range of a number, as in ">= 0 and <= 1, whole".
-std::string allowed(const NumberKey& kind) {
-  std::string text =
-      kind.low_is_allowed ? fmt::format(">= {}", kind.low) : fmt::format("> {}", kind.low);
-  if (std::isfinite(kind.high)) text += fmt::format(" and <= {}", kind.high);
-  if (kind.infinity_is_allowed) text += ", or inf";
-  return kind.whole ? text + ", whole" : text;
-}
-
 std::string allowed_values(const TreeParameterKey& key) {
-  return std::visit(Overloaded{[](const NumberKey& kind) { return "a number " + allowed(kind); },
-                               [](const VectorKey& kind) {
-                                 return std::string(kind.must_be_positive ? "three numbers > 0"
-                                                                          : "three numbers");
-                               },
-                               [](const ChoiceKey& kind) {
-                                 return fmt::format("\"{}\"", fmt::join(kind.words, "\" or \""));
-                               },
-                               [](const ColourKey&) { return std::string("\"#rrggbb\""); },
-                               [](const FileKey&) { return std::string("a file name"); }},
-                    key.kind);
+  return std::visit(
+      Overloaded{[](const NumberKey& kind) { return "a number " + allowed(kind.range()); },
+                 [](const VectorKey& kind) {
+                   return std::string(kind.must_be_positive ? "three numbers > 0"
+                                                            : "three numbers");
+                 },
+                 [](const ChoiceKey& kind) {
+                   return fmt::format("\"{}\"", fmt::join(kind.words, "\" or \""));
+                 },
+                 [](const ColourKey&) { return std::string("\"#rrggbb\""); },
+                 [](const FileKey&) { return std::string("a file name"); }},
+      key.kind);
 }
 
 /// A table and the file it comes from.
@@ -88,18 +71,10 @@ class TreeFileReader {
     fail_any({key}, problem);
   }
 
-  [[noreturn]] static void fail_at(const std::filesystem::path& file, const toml::node& node,
-                                   const std::string& problem) {
-    throw InputError(fmt::format("{}:{}: {}", file.string(), node.source().begin.line, problem));
-  }
-
   void read_table(const toml::table& table, const std::string& prefix) {
     for (const auto& [key, node] : table) {
       const std::string name = prefix + std::string(key.str());
-      if (key.str().find('.') != std::string_view::npos)
-        fail_at(tables_[current_].file, node,
-                fmt::format("unknown key '{}' in quotes; write it without, or as [section] and key",
-                            name));
+      refuse_quoted_name({tables_[current_].file, name, node}, key.str());
       given_.insert(name);
       if (const toml::table* section = node.as_table(); section != nullptr && is_section(name)) {
         read_table(*section, name + ".");
@@ -116,80 +91,55 @@ class TreeFileReader {
   }
 
   void read_value(const std::string& name, const toml::node& node) {
+    const TomlValue value{tables_[current_].file, name, node};
     for (const TreeParameterKey& key : tree_parameter_keys()) {
       if (key.name != name) continue;
-      std::visit(Overloaded{[&](const NumberKey& kind) { read_number(name, kind, node); },
-                            [&](const VectorKey& kind) { read_vector(name, kind, node); },
-                            [&](const ChoiceKey& kind) { read_choice(name, kind, node); },
-                            [&](const ColourKey& kind) { read_colour(name, kind, node); },
-                            [&](const FileKey& kind) { read_file_name(name, kind, node); }},
-                 key.kind);
+      std::visit(
+          Overloaded{
+              [&](const NumberKey& kind) {
+                kind.place(values_) = read_number(value, kind.range());
+              },
+              [&](const VectorKey& kind) { kind.place(values_) = read_vector(value, kind); },
+              [&](const ChoiceKey& kind) { kind.choose(values_, read_choice(value, kind.words)); },
+              [&](const ColourKey& kind) { kind.place(values_) = read_colour(value); },
+              [&](const FileKey& kind) { kind.place(values_) = read_file_name(value); }},
+          key.kind);
       return;
     }
     std::vector<std::string> known;
     for (const TreeParameterKey& key : tree_parameter_keys()) known.emplace_back(key.name);
-    fail(name, fmt::format("unknown key '{}'{} (phytobench grow --example lists all keys)", name,
-                           did_you_mean(name, known)));
+    value.fail(unknown_key(name, known, "phytobench grow"));
   }
 
-  void read_number(const std::string& name, const NumberKey& kind, const toml::node& node) {
-    const auto value = node.value<double>();
-    if (!value) fail(name, fmt::format("{} must be a number {}", name, allowed(kind)));
-    const bool in_range = kind.low_is_allowed ? *value >= kind.low : *value > kind.low;
-    const bool finite = std::isfinite(*value) || (kind.infinity_is_allowed && *value > 0);
-    if (!in_range || !(*value <= kind.high) || !finite ||
-        (kind.whole && *value != std::floor(*value)))
-      fail(name,
-           fmt::format("{} = {} is not allowed; give a number {}", name, *value, allowed(kind)));
-    kind.place(values_) = *value;
-  }
-
-  void read_vector(const std::string& name, const VectorKey& kind, const toml::node& node) {
-    const toml::array* array = node.as_array();
+  static Vector3 read_vector(const TomlValue& value, const VectorKey& kind) {
+    const toml::array* array = value.node.as_array();
     if (array == nullptr || array->size() != 3)
-      fail(name, fmt::format("{} must be three numbers, as in [1.0, 2.0, 3.0]", name));
+      value.fail(fmt::format("{} must be three numbers, as in [1.0, 2.0, 3.0]", value.name));
     double numbers[3];
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto value = (*array)[i].value<double>();
-      if (!value || !(std::abs(*value) <= largest_component) ||
-          (kind.must_be_positive && *value < 1.0 / largest_component))
-        fail(name, fmt::format("{}[{}] must be a number between {} and {}", name, i,
+      const auto number = (*array)[i].value<double>();
+      if (!number || !(std::abs(*number) <= largest_component) ||
+          (kind.must_be_positive && *number < 1.0 / largest_component))
+        value.fail(fmt::format("{}[{}] must be a number between {} and {}", value.name, i,
                                kind.must_be_positive ? 1.0 / largest_component : -largest_component,
                                largest_component));
-      numbers[i] = *value;
+      numbers[i] = *number;
     }
-    kind.place(values_) = {numbers[0], numbers[1], numbers[2]};
+    return {numbers[0], numbers[1], numbers[2]};
   }
 
-  void read_choice(const std::string& name, const ChoiceKey& kind, const toml::node& node) {
-    const auto value = node.value<std::string_view>();
-    const auto word =
-        value ? std::find(kind.words.begin(), kind.words.end(), *value) : kind.words.end();
-    if (word == kind.words.end())
-      fail(name, fmt::format("{} must be one of \"{}\"", name, fmt::join(kind.words, "\", \"")));
-    kind.choose(values_, static_cast<std::size_t>(word - kind.words.begin()));
-  }
-
-  void read_colour(const std::string& name, const ColourKey& kind, const toml::node& node) {
+  static Colour read_colour(const TomlValue& value) {
     try {
-      kind.place(values_) = parse_colour(node.value_or(std::string_view()));
+      return parse_colour(value.node.value_or(std::string_view()));
     } catch (const InputError& error) {
-      fail(name, fmt::format("{}: {}", name, error.what()));
+      value.fail(fmt::format("{}: {}", value.name, error.what()));
     }
-  }
-
-  void read_file_name(const std::string& name, const FileKey& kind, const toml::node& node) {
-    const auto value = node.value<std::string>();
-    if (!value) fail(name, fmt::format("{} must be a file name in quotes", name));
-    const std::filesystem::path folder = tables_[current_].file.parent_path();
-    kind.place(values_) = value->empty() ? "" : (folder / *value).string();
   }
 
   bool is_given(const std::string& key) const { return given_.contains(key); }
 
   void allow_one_of(const std::string& a, const std::string& b) const {
-    if (is_given(a) && is_given(b))
-      fail(a, fmt::format("{} and {} set the same; give one of them", a, b));
+    if (is_given(a) && is_given(b)) fail(a, set_the_same(a, b));
   }
 
   /// What the look of the plant takes from other keys.
@@ -293,16 +243,6 @@ class TreeFileReader {
   TreeFileValues values_;
 };
 
-toml::table parse(std::string_view text, std::string_view name) {
-  try {
-    return toml::parse(text, name);
-  } catch (const toml::parse_error& error) {
-    const auto& where = error.source().begin;
-    throw InputError(fmt::format("{}:{}:{}: not valid TOML: {}", name, where.line, where.column,
-                                 error.description()));
-  }
-}
-
 }  // namespace
 
 TreeParameters read_tree_parameters(const std::filesystem::path& file) {
@@ -312,7 +252,7 @@ TreeParameters read_tree_parameters(const std::filesystem::path& file) {
 TreeParameters read_tree_parameters(const std::vector<TreeSource>& sources) {
   std::vector<toml::table> roots;
   for (const TreeSource& source : sources)
-    roots.push_back(parse(read_text_file(source.file), source.file.string()));
+    roots.push_back(parse_toml(read_text_file(source.file), source.file.string()));
   std::vector<SourceTable> tables;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const toml::table* table =
@@ -326,7 +266,7 @@ TreeParameters read_tree_parameters(const std::vector<TreeSource>& sources) {
 }
 
 TreeParameters parse_tree_parameters(std::string_view text, std::string_view name) {
-  const toml::table root = parse(text, name);
+  const toml::table root = parse_toml(text, name);
   return TreeFileReader({{name, &root}}).read();
 }
 
@@ -335,20 +275,19 @@ std::string example_tree_file() {
       "# A tree for `phytobench grow`. Every key may be left out; the values here are the "
       "defaults.\n"
       "# Lengths share one free unit. [Brzoska2019] is described by `phytobench list papers`.\n";
-  std::string section;
+  std::string_view section;
   for (const TreeParameterKey& key : tree_parameter_keys()) {
-    const std::size_t dot = key.name.find('.');
-    const std::string own_section(dot == std::string_view::npos ? "" : key.name.substr(0, dot));
-    if (own_section != section) {
-      text += fmt::format("\n[{}]\n", own_section);
-      section = own_section;
+    if (section_of(key.name) != section) {
+      section = section_of(key.name);
+      text += fmt::format("\n[{}]\n", section);
     }
-    const std::string_view short_name =
-        key.name.substr(dot == std::string_view::npos ? 0 : dot + 1);
-    text += fmt::format("# {}{}. Unit: {}. Allowed: {}. Source: {}.\n{}{} = {}\n",
-                        static_cast<char>(std::toupper(static_cast<unsigned char>(key.meaning[0]))),
-                        key.meaning.substr(1), key.unit, allowed_values(key), key.source,
-                        key.shown_as_comment ? "# " : "", short_name, key.default_text);
+    text += example_lines({.name = key.name,
+                           .unit = key.unit,
+                           .meaning = key.meaning,
+                           .source = key.source,
+                           .allowed = allowed_values(key),
+                           .value = key.default_text,
+                           .is_commented_out = key.shown_as_comment});
   }
   return text;
 }

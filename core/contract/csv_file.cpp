@@ -178,6 +178,20 @@ std::vector<std::vector<double>> read_number_columns(const std::filesystem::path
   return read_table(file, columns, {}).numbers;
 }
 
+bool has_column(const std::filesystem::path& file, std::string_view column) {
+  const std::string content = read_text_file(file, most_bytes);
+  std::string_view text = without_mark(content);
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (!holds_fields(line)) continue;
+    std::vector<std::string_view> names;
+    split(trimmed(line), names);
+    return std::find(names.begin(), names.end(), column) != names.end();
+  }
+  return false;
+}
+
 std::string place_of_row(const std::filesystem::path& file, std::size_t row) {
   const std::string content = read_text_file(file, most_bytes);
   std::string_view text = without_mark(content);

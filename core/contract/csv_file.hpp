@@ -31,6 +31,10 @@ struct CsvTable {
 CsvTable read_table(const std::filesystem::path& file, const std::vector<std::string>& numbers,
                     const std::vector<std::string>& words);
 
+/// Whether the first line names that column, for those that a file may leave out. Throws InputError
+/// for a file that cannot be read.
+bool has_column(const std::filesystem::path& file, std::string_view column);
+
 /// "points.csv:12": where row `row` (0-based, of numbers) of such a file stands, for messages on
 /// what only the reader of the numbers can find wrong.
 std::string place_of_row(const std::filesystem::path& file, std::size_t row);

@@ -267,6 +267,18 @@ TEST_F(NumberColumnsFile, WordsStandBesideNumbers) {
   EXPECT_THROW(read_table(file, {"x"}, {"kind"}), InputError);
 }
 
+TEST_F(NumberColumnsFile, ColumnIsThereIfTheHeaderNamesIt) {
+  const fs::path file = folder_ / "plants.csv";
+  write_file_atomically(file, "\xef\xbb\xbf\r\n# species, too\n x ,\"y\",radius\r\n1,species,3\n");
+  for (const char* name : {"x", "y", "radius"}) EXPECT_TRUE(has_column(file, name)) << name;
+  for (const char* name : {"species", "X", "", "1"}) EXPECT_FALSE(has_column(file, name)) << name;
+  write_file_atomically(file, "x");
+  EXPECT_TRUE(has_column(file, "x"));
+  write_file_atomically(file, "");
+  EXPECT_FALSE(has_column(file, "x"));
+  EXPECT_THROW(has_column(folder_ / "nowhere.csv", "x"), InputError);
+}
+
 TEST_F(NumberColumnsFile, PlaceOfARowIsItsLine) {
   const fs::path file = folder_ / "cloud.csv";
   write_file_atomically(file, "\xef\xbb\xbf\r\n# a scan\nx,y,z\r\n1,2,3\n\n# more\n4,5,6\n7,8,9");

@@ -13,16 +13,17 @@ namespace phytobench {
 /// Random123).
 double random_unit(std::uint64_t seed, std::uint64_t stream, std::uint64_t index);
 
-/// random_unit() at index 0, 1, 2, ...
+/// random_unit() at index first_index (0 unless said), and the indices that follow.
 class CounterStream final : public UnitStream {
  public:
-  CounterStream(std::uint64_t seed, std::uint64_t stream) : seed_(seed), stream_(stream) {}
+  CounterStream(std::uint64_t seed, std::uint64_t stream, std::uint64_t first_index = 0)
+      : seed_(seed), stream_(stream), index_(first_index) {}
   double next_unit() override { return random_unit(seed_, stream_, index_++); }
 
  private:
   std::uint64_t seed_;
   std::uint64_t stream_;
-  std::uint64_t index_ = 0;
+  std::uint64_t index_;
 };
 
 /// A uniformly random order of 0 ... count-1 (Fisher-Yates).
