@@ -5,14 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "reference/preset_files.hpp"
+
 namespace phytobench {
 
-/// A parameter file for `grow` that comes with the suite: of a paper's figure, or of our own.
-struct TreePreset {
-  std::string name;     ///< "figure-43-middle"; unique
-  std::string summary;  ///< the file's first comment
-  std::filesystem::path file;
-};
+/// A parameter file for `grow`.
+using TreePreset = PresetFile;
 
 /// In the order of their names.
 std::vector<TreePreset> tree_presets();
