@@ -55,7 +55,7 @@ TEST_F(CommandLine, ExaminesTheMachine) {
 // list
 
 const Words kinds = {"papers",          "claims",  "experiments", "engines",
-                     "overlap-engines", "presets", "rules"};
+                     "overlap-engines", "presets", "stands",      "rules"};
 
 TEST_F(CommandLine, ListsEveryKindWithUniqueIdsAndSummaries) {
   for (const std::string& kind : kinds) {

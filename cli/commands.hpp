@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -98,6 +99,18 @@ struct HopkinsRaceOptions {
 };
 int race_hopkins(const HopkinsRaceOptions& options);
 
+struct CompetitionRaceOptions {
+  std::vector<double> plants{1e5};
+  double pairs = 5.0;  ///< of root zones, for each plant
+  std::vector<std::string> rules{"all"};
+  std::vector<int> threads{1};
+  int rounds = 7;
+  std::uint64_t seed = 0;
+  bool json = false;
+  std::string command_line;
+};
+int race_competition(const CompetitionRaceOptions& options);
+
 struct OverlapOptions {
   std::string discs;   ///< CSV file
   std::string window;  ///< x0,y0,x1,y1; empty: the open plane
@@ -122,6 +135,27 @@ struct PatternOptions {
   bool json = false;
 };
 int pattern(const PatternOptions& options);
+
+struct CompeteOptions {
+  std::string config;
+  std::string preset;  ///< instead of a file
+  std::string plants;  ///< CSV file; empty: the one that the parameter file names, if any
+  std::string out;     ///< folder; empty: nothing is written
+  std::optional<std::int32_t> steps;  ///< unset: as the parameter file says
+  std::optional<std::uint64_t> seed;  ///< the same
+  std::string rule;                   ///< empty: the same
+  std::string engine = "layered_grid";
+  int threads = 1;
+  std::optional<std::int32_t> every;       ///< steps between lines of steps.csv; unset: 1
+  std::int32_t frames = 0;                 ///< steps between pictures; 0: none
+  std::string frame_format = "png";        ///< or svg
+  bool statistics = false;                 ///< of the pattern, however many plants there are
+  std::optional<std::int32_t> checkpoint;  ///< steps; unset: 100, and none is left at the end
+  bool resume = false;
+  bool example = false;
+  bool json = false;
+};
+int compete(const CompeteOptions& options);
 
 struct DoctorOptions {
   bool json = false;

@@ -6,12 +6,14 @@
 
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
+#include "core/competition/competition_registry.hpp"
 #include "core/contract/errors.hpp"
 #include "core/contract/suggestion.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 #include "core/overlap/overlap_registry.hpp"
 #include "experiments/experiment_registry.hpp"
 #include "reference/papers.hpp"
+#include "reference/stand_presets.hpp"
 #include "reference/tree_presets.hpp"
 #include "reports/claim_list.hpp"
 
@@ -83,17 +85,33 @@ ordered_json overlap_engines() {
   return rows;
 }
 
-ordered_json presets() {
+ordered_json preset_rows(const std::vector<PresetFile>& presets) {
   ordered_json rows = ordered_json::array();
-  for (const TreePreset& preset : tree_presets())
+  for (const PresetFile& preset : presets)
     rows.push_back(
         {{"id", preset.name}, {"file", preset.file.string()}, {"summary", preset.summary}});
   return rows;
 }
 
-/// Competition rules: none are part of the suite yet.
+ordered_json presets() {
+  return preset_rows(tree_presets());
+}
+
+ordered_json stands() {
+  return preset_rows(stand_presets());
+}
+
 ordered_json rules() {
-  return ordered_json::array();
+  ordered_json rows = ordered_json::array();
+  for (const CompetitionRuleDescriptor* rule : all_competition_rules())
+    rows.push_back({{"id", rule->name},
+                    {"source", rule->source},
+                    {"built", rule->built()},
+                    {"missing_package", rule->missing_package},
+                    {"uses_below", rule->uses_below},
+                    {"uses_above", rule->uses_above},
+                    {"summary", rule->summary}});
+  return rows;
 }
 
 struct Kind {
@@ -106,6 +124,7 @@ constexpr Kind kinds[] = {{"papers", papers},
                           {"engines", engines},
                           {"overlap-engines", overlap_engines},
                           {"presets", presets},
+                          {"stands", stands},
                           {"rules", rules}};
 
 std::string plain(const ordered_json& rows) {
@@ -137,7 +156,8 @@ ordered_json rows_of(const std::string& what) {
     names.emplace_back(kind.name);
   }
   throw InputError("cannot list '" + what + "'" + did_you_mean(what, names) +
-                   "; use papers, claims, experiments, engines, overlap-engines, presets or rules");
+                   "; use papers, claims, experiments, engines, overlap-engines, presets, "
+                   "stands or rules");
 }
 
 }  // namespace

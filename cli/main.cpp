@@ -36,8 +36,10 @@ struct Commands {
   NearestNodeRaceOptions nearest_node_race;
   OverlapRaceOptions overlap_race;
   HopkinsRaceOptions hopkins_race;
+  CompetitionRaceOptions competition_race;
   OverlapOptions overlap;
   PatternOptions pattern;
+  CompeteOptions compete;
   DoctorOptions doctor;
   std::function<int()> chosen = {};
 };
@@ -51,9 +53,10 @@ std::string whole_number(const std::string& text) {
 void add_list(CLI::App& app, Commands& commands) {
   CLI::App* sub =
       app.add_subcommand("list", "What there is: papers, claims, experiments, engines, rules");
-  sub->add_option("what", commands.list.what,
-                  "papers, claims, experiments, engines, overlap-engines, presets or rules; all "
-                  "counted without it");
+  sub->add_option(
+      "what", commands.list.what,
+      "papers, claims, experiments, engines, overlap-engines, presets, stands or rules; "
+      "all counted without it");
   sub->add_flag("--json", commands.list.json, "One JSON document");
   sub->callback([&] { commands.chosen = [&] { return list(commands.list); }; });
 }
@@ -222,12 +225,41 @@ void add_hopkins_race(CLI::App& race, Commands& commands) {
   sub->callback([&] { commands.chosen = [&] { return race_hopkins(commands.hopkins_race); }; });
 }
 
+void add_competition_race(CLI::App& race, Commands& commands) {
+  CompetitionRaceOptions& options = commands.competition_race;
+  CLI::App* sub = race.add_subcommand("competition", "Rules of competition: one step of a stand");
+  sub->add_option("--plants", options.plants, "How many; several sizes give the growth of time")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->check(CLI::Range(2.0, 1e8));
+  sub->add_option("--pairs", options.pairs, "Overlapping pairs of root zones for each plant")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 100.0));
+  sub->add_option("--rules", options.rules, "all, or names; comma-separated")
+      ->delimiter(',')
+      ->capture_default_str();
+  sub->add_option("--threads", options.threads, "Several are raced against each other")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  sub->add_option("--rounds", options.rounds, "Timed rounds")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  sub->add_option("--seed", options.seed, "Of the plants and the order of timing")
+      ->capture_default_str()
+      ->check(whole_number);
+  sub->add_flag("--json", options.json, "One JSON document");
+  sub->callback(
+      [&] { commands.chosen = [&] { return race_competition(commands.competition_race); }; });
+}
+
 void add_race(CLI::App& app, Commands& commands) {
   CLI::App* sub = app.add_subcommand("race", "Prove engines exact, then time them in turns");
   sub->require_subcommand(1);
   add_nearest_node_race(*sub, commands);
   add_overlap_race(*sub, commands);
   add_hopkins_race(*sub, commands);
+  add_competition_race(*sub, commands);
 }
 
 void add_overlap(CLI::App& app, Commands& commands) {
@@ -272,6 +304,43 @@ void add_pattern(CLI::App& app, Commands& commands) {
   sub->callback([&] { commands.chosen = [&] { return pattern(commands.pattern); }; });
 }
 
+void add_compete(CLI::App& app, Commands& commands) {
+  CompeteOptions& options = commands.compete;
+  constexpr std::int32_t most_steps = 1'000'000'000;
+  CLI::App* sub =
+      app.add_subcommand("compete", "A population of plants that compete, step by step");
+  sub->add_option("config", options.config, "Parameters in TOML; see --example");
+  sub->add_option("--preset", options.preset,
+                  "A parameter file that comes with the program; see phytobench list stands");
+  sub->add_option("--plants", options.plants,
+                  "CSV file of plants to start with: columns x, y, radius, species");
+  sub->add_option("--out", options.out, "Folder for tables, pictures and checkpoints");
+  sub->add_option("--steps", options.steps, "Instead of those in the parameter file")
+      ->check(CLI::Range(0, 1'000'000));
+  sub->add_option("--seed", options.seed, "The same")->check(whole_number);
+  sub->add_option("--rule", options.rule, "The same; see phytobench list rules");
+  sub->add_option("--engine", options.engine, "Overlap engine; see phytobench list overlap-engines")
+      ->capture_default_str();
+  sub->add_option("--threads", options.threads, "Never change the result")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  sub->add_option("--every", options.every, "Steps between lines of steps.csv (default: 1)")
+      ->check(CLI::Range(1, most_steps));
+  sub->add_option("--frames", options.frames, "Steps between pictures in frames/ (default: none)")
+      ->check(CLI::Range(1, most_steps));
+  sub->add_option("--frame-format", options.frame_format, "png, or svg for up to 20000 plants")
+      ->capture_default_str();
+  sub->add_flag("--statistics", options.statistics,
+                "Of the pattern, even of more than 20000 plants");
+  sub->add_option("--checkpoint", options.checkpoint,
+                  "Steps between checkpoints (default: 100); keeps the last one, to go on from")
+      ->check(CLI::Range(1, most_steps));
+  sub->add_flag("--resume", options.resume, "Go on with the run in --out");
+  sub->add_flag("--example", options.example, "Print a parameter file with every key explained");
+  sub->add_flag("--json", options.json, "One JSON document");
+  sub->callback([&] { commands.chosen = [&] { return compete(commands.compete); }; });
+}
+
 void add_doctor(CLI::App& app, Commands& commands) {
   CLI::App* sub =
       app.add_subcommand("doctor", "What is installed, what is missing, is this machine quiet");
@@ -302,14 +371,15 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
 }
 
 void refuse_unknown_race(int argc, char** argv) {
-  const std::vector<std::string> names = {"nearest-node", "overlap", "hopkins"};
+  const std::vector<std::string> names = {"nearest-node", "overlap", "hopkins", "competition"};
   if (argc < 2 || std::string(argv[1]) != "race") return;
   const std::string what = argc < 3 ? "" : argv[2];
   if (what == "--help" || what == "-h" ||
       std::find(names.begin(), names.end(), what) != names.end())
     return;
-  throw InputError("cannot race '" + what + "'" + did_you_mean(what, names) +
-                   "; use phytobench race nearest-node, race overlap or race hopkins");
+  throw InputError(
+      "cannot race '" + what + "'" + did_you_mean(what, names) +
+      "; use phytobench race nearest-node, race overlap, race hopkins or race competition");
 }
 
 /// Help of the subcommand that was asked for it, or of the program.
@@ -326,7 +396,8 @@ int run_command_line(int argc, char** argv) {
   app.require_subcommand(1);
   Commands commands;
   commands.run.command_line = commands.nearest_node_race.command_line =
-      commands.overlap_race.command_line = commands.hopkins_race.command_line = joined(argc, argv);
+      commands.overlap_race.command_line = commands.hopkins_race.command_line =
+          commands.competition_race.command_line = joined(argc, argv);
   add_list(app, commands);
   add_run(app, commands);
   add_report(app, commands);
@@ -334,6 +405,7 @@ int run_command_line(int argc, char** argv) {
   add_race(app, commands);
   add_overlap(app, commands);
   add_pattern(app, commands);
+  add_compete(app, commands);
   add_doctor(app, commands);
   refuse_unknown_command(app, argc, argv);
   refuse_unknown_race(argc, argv);

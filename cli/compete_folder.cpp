@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "cli/compete_folder.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <regex>
+
+#include <fmt/format.h>
+
+#include "core/contract/errors.hpp"
+#include "core/population/checkpoint.hpp"
+
+namespace phytobench::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* parameters_name = "parameters.toml";
+
+/// What a run leaves, apart from its parameters.
+constexpr const char* file_names[] = {"checkpoint.bin", "steps.csv",  "plants.csv",   "stand.svg",
+                                      "stand.png",      "curves.svg", "summary.json", "frames"};
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+/// Appends, or leaves the file as long as it was.
+void append_or_restore(const fs::path& file, const std::string& text, std::uint64_t old_size) {
+  const std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(file.c_str(), "ab"));
+  const bool written = stream != nullptr &&
+                       std::fwrite(text.data(), 1, text.size(), stream.get()) == text.size() &&
+                       std::fflush(stream.get()) == 0 && ::fsync(::fileno(stream.get())) == 0;
+  if (written) return;
+  const int reason = errno;
+  std::error_code error;
+  if (stream != nullptr) fs::resize_file(file, old_size, error);
+  throw EnvironmentError("cannot write " + file.string() + ": " + std::strerror(reason) +
+                         "; what was written before is kept, make room and go on with --resume");
+}
+
+}  // namespace
+
+std::string FrameFiles::name(std::int32_t number) const {
+  return fmt::format("frames/{:05}.{}", number, format);
+}
+
+CompeteFolder::CompeteFolder(fs::path folder, std::vector<Setting> settings, FrameFiles frames)
+    : folder_(std::move(folder)), settings_(std::move(settings)), frames_(std::move(frames)) {}
+
+void CompeteFolder::begin(const std::string& parameter_file, const CompeteProgress& progress) {
+  std::error_code error;
+  for (const char* name : file_names)
+    if (fs::exists(folder_ / name, error))
+      throw InputError(fmt::format(
+          "{}: already holds {}; use --resume to go on with the run there, or another --out",
+          folder_.string(), name));
+  if (const fs::path file = folder_ / parameters_name;
+      fs::exists(file, error) && read_text_file(file) != parameter_file)
+    throw InputError(file.string() + ": is another parameter file; use another --out");
+  make_folder(folder_);
+  remove_leftovers();
+  save(progress.state, progress.pairs);
+  write_parameters(parameter_file);
+}
+
+CompeteProgress CompeteFolder::resume(const std::string& parameter_file, std::int32_t last_step) {
+  const fs::path file = checkpoint_file();
+  std::error_code error;
+  if (!fs::exists(file, error))
+    throw InputError(
+        fmt::format("{}: holds no checkpoint.bin to go on from{}", folder_.string(),
+                    fs::exists(folder_ / "summary.json", error)
+                        ? ": that run is finished; one that is to go on later needs --checkpoint"
+                        : "; start without --resume"));
+  Checkpoint checkpoint = read_checkpoint(file);
+  refuse_other_settings(checkpoint, settings_, file.string());
+  if (checkpoint.tally.size() != 3)
+    throw InputError(file.string() + ": is no checkpoint of phytobench compete");
+  if (checkpoint.state.step > last_step)
+    throw InputError(fmt::format(
+        "{}: is at step {}, beyond the {} steps wanted; give more --steps, or start again with "
+        "another --out",
+        file.string(), checkpoint.state.step, last_step));
+  steps_bytes_ = checkpoint.tally[1];
+  steps_digest_ = checkpoint.tally[2];
+  cut_steps();
+  remove_leftovers();
+  remove_frames_from(checkpoint.state.step);
+  write_parameters(parameter_file);
+  return {std::move(checkpoint.state), checkpoint.tally[0]};
+}
+
+void CompeteFolder::save(const PopulationState& state, std::uint64_t pairs) {
+  append_rows();
+  write_file_atomically(
+      checkpoint_file(),
+      checkpoint_bytes(settings_, std::vector{pairs, steps_bytes_, steps_digest_}, state));
+}
+
+void CompeteFolder::write_frame(std::int32_t step, const std::string& content) const {
+  write_file_atomically(folder_ / frames_.name(step / frames_.every), content);
+}
+
+std::string CompeteFolder::finished_steps() {
+  append_rows();
+  return read_text_file(steps_file(), std::numeric_limits<std::uintmax_t>::max());
+}
+
+void CompeteFolder::finish(std::vector<FileContent> files, bool keeps_checkpoint) {
+  for (FileContent& file : files) file.file = folder_ / file.file;
+  write_files_atomically(files);
+  std::error_code ignored;
+  if (!keeps_checkpoint) fs::remove(checkpoint_file(), ignored);
+}
+
+void CompeteFolder::append_rows() {
+  if (rows_.empty()) return;
+  append_or_restore(steps_file(), rows_, steps_bytes_);
+  steps_bytes_ += rows_.size();
+  steps_digest_ = digest(rows_, steps_digest_);
+  rows_.clear();
+}
+
+void CompeteFolder::write_parameters(const std::string& parameter_file) const {
+  write_file_atomically(folder_ / parameters_name, parameter_file);
+}
+
+/// Back to its length at the checkpoint, which must not have been touched.
+void CompeteFolder::cut_steps() const {
+  std::error_code error;
+  if (steps_bytes_ == 0) {
+    fs::remove(steps_file(), error);
+    return;
+  }
+  const std::string text = read_text_file(steps_file(), std::numeric_limits<std::uintmax_t>::max());
+  if (text.size() < steps_bytes_ ||
+      digest(std::string_view(text).substr(0, steps_bytes_)) != steps_digest_)
+    throw InputError(steps_file().string() +
+                     ": was changed since the checkpoint; start again with another --out");
+  fs::resize_file(steps_file(), steps_bytes_, error);
+  if (error)
+    throw EnvironmentError("cannot write " + steps_file().string() + ": " + error.message());
+}
+
+/// Half-written files of a run that was killed; they have temporary names.
+void CompeteFolder::remove_leftovers() const {
+  static const std::regex leftover(R"(\.(bin|csv|toml|svg|png|json)\.part[0-9]+$)");
+  for (const fs::path& folder : {folder_, folder_ / "frames"}) {
+    std::error_code error;
+    std::vector<fs::path> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+      if (std::regex_search(entry.path().filename().string(), leftover))
+        found.push_back(entry.path());
+    for (const fs::path& file : found) fs::remove(file, error);
+  }
+}
+
+void CompeteFolder::remove_frames_from(std::int32_t step) const {
+  if (frames_.every == 0) return;
+  std::error_code error;
+  const std::int32_t first = step / frames_.every + (step % frames_.every > 0 ? 1 : 0);
+  for (std::int32_t number = first; fs::remove(folder_ / frames_.name(number), error);) ++number;
+}
+
+}  // namespace phytobench::cli

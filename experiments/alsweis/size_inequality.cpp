@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// How unequal plants become that start almost alike: the same hundred plants under each rule of
+// competition, and under rules that the dissertation does not have.
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/picture/curve_svg.hpp"
+#include "core/population/stand_statistics.hpp"
+#include "core/statistics/gini.hpp"
+#include "experiments/alsweis/paired_runs.hpp"
+
+namespace phytobench::experiments::alsweis {
+
+namespace {
+
+constexpr std::size_t seeds = 20;
+/// The step that claims are about; woody plants without competition are almost grown up then.
+constexpr std::size_t main_step = 60;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct NamedRule {
+  const char* name;
+  const char* rule;
+  double asymmetry_exponent = 1.0;
+};
+
+/// [Alsweis] (4.2) to (4.4), from no competition to the most unequal one.
+constexpr std::array printed_rules = {
+    NamedRule{"none", "none"}, NamedRule{"symmetric", "symmetric"}, NamedRule{"mixture", "mixture"},
+    NamedRule{"asymmetric", "asymmetric"}};
+
+/// One family that has both as its ends, pair by pair and with common ground divided once only,
+/// and the model that the dissertation's is named after.
+constexpr std::array other_rules = {NamedRule{"exponent-0", "asymmetry_exponent", 0.0},
+                                    NamedRule{"exponent-0.5", "asymmetry_exponent", 0.5},
+                                    NamedRule{"exponent-1", "asymmetry_exponent", 1.0},
+                                    NamedRule{"exponent-2", "asymmetry_exponent", 2.0},
+                                    NamedRule{"exponent-8", "asymmetry_exponent", 8.0},
+                                    NamedRule{"exponent-inf", "asymmetry_exponent", infinity},
+                                    NamedRule{"exact-0", "exact_shares", 0.0},
+                                    NamedRule{"exact-1", "exact_shares", 1.0},
+                                    NamedRule{"exact-inf", "exact_shares", infinity},
+                                    NamedRule{"field", "field_of_neighbourhood"}};
+
+PopulationParameters hundred_plants(const NamedRule& rule, std::uint64_t seed) {
+  PopulationParameters parameters;
+  parameters.seed = seed;
+  parameters.rule = rule.rule;
+  parameters.competition.asymmetry_exponent = rule.asymmetry_exponent;
+  parameters.species = {{.name = "woody plant", .count = 100}};
+  return parameters;
+}
+
+std::vector<double> basal_areas(const Stand& stand) {
+  std::vector<double> areas;
+  for (const double radius : stand.stem_radius) areas.push_back(radius * radius);  // times pi
+  return areas;
+}
+
+/// One entry per step, 0 and the last included, with one value per seed.
+struct Course {
+  std::vector<std::vector<double>> gini, mean_radius;
+  std::vector<double> last_areas = {};  ///< of all plants of all seeds after main_step
+
+  explicit Course(std::size_t steps)
+      : gini(steps + 1, std::vector<double>(seeds)), mean_radius(gini) {}
+};
+
+Course course_of(ExperimentContext& context, const NamedRule& rule, std::size_t steps) {
+  Course course(steps);
+  std::array<std::vector<double>, seeds> areas;
+  for_runs(context, rule.name, seeds, [&](std::size_t s) {
+    Population population =
+        population_of(hundred_plants(rule, seed_of_run(context, Question::size_inequality, s)));
+    for (std::size_t t = 0;; ++t) {
+      const PlantStatistics now =
+          stand_statistics(population.stand(), std::vector<double>(population.stand().size()), 1,
+                           population.parameters().ground.area())
+              .all;
+      course.gini[t][s] = now.gini;
+      course.mean_radius[t][s] = now.mean_radius;
+      if (t == main_step) areas[s] = basal_areas(population.stand());
+      if (t == steps) break;
+      population.step();
+    }
+  });
+  for (const auto& some : areas)
+    course.last_areas.insert(course.last_areas.end(), some.begin(), some.end());
+  return course;
+}
+
+void record_course(ExperimentContext& context, const NamedRule& rule, const Course& course,
+                   std::size_t step) {
+  const std::string group = fmt::format("{}/step-{}", rule.name, step);
+  record_mean(context, group + "/gini", course.gini[step]);
+  record_mean(context, group + "/mean_radius", course.mean_radius[step], "m");
+}
+
+/// Each rule beside the one before it, from the same plants.
+template <std::size_t Count>
+void record_orders(ExperimentContext& context, const std::array<NamedRule, Count>& rules,
+                   const std::vector<Course>& courses, std::size_t first, std::size_t last,
+                   std::size_t step) {
+  for (std::size_t k = first + 1; k <= last; ++k) {
+    const Course &low = courses[k - 1], &high = courses[k];
+    const std::string group =
+        fmt::format("step-{}/{}-over-{}", step, rules[k].name, rules[k - 1].name);
+    record_paired(context, group + "/gini", high.gini[step], low.gini[step]);
+    record_paired(context, group + "/smallness", low.mean_radius[step], high.mean_radius[step],
+                  "m");
+  }
+}
+
+double mean_of(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+void draw_figure(ExperimentContext& context, const std::vector<Course>& courses) {
+  CurvePanel over_time{
+      .caption = "over time", .x_label = "steps", .y_label = "Gini coefficient of basal area"};
+  CurvePanel shares{.caption = fmt::format("after {} steps", main_step),
+                    .x_label = "share of plants, the smallest first",
+                    .y_label = "share of basal area",
+                    .x_range = AxisRange{0.0, 1.0},
+                    .y_range = AxisRange{0.0, 1.0}};
+  for (std::size_t k = 0; k < printed_rules.size(); ++k) {
+    Curve gini{.name = printed_rules[k].name}, lorenz{.name = printed_rules[k].name};
+    for (std::size_t t = 0; t < courses[k].gini.size(); ++t) {
+      gini.x.push_back(static_cast<double>(t));
+      gini.y.push_back(mean_of(courses[k].gini[t]));
+    }
+    for (const LorenzPoint& point : lorenz_curve(courses[k].last_areas)) {
+      lorenz.x.push_back(point.share_of_number);
+      lorenz.y.push_back(point.share_of_sum);
+    }
+    over_time.curves.push_back(gini);
+    shares.curves.push_back(lorenz);
+  }
+  context.artifact("size-inequality.svg",
+                   curve_svg({over_time, shares},
+                             "Inequality of 100 plants without and with competition, 20 seeds"));
+}
+
+void record_printed_rules(ExperimentContext& context) {
+  const bool is_smoke = context.tier() == Tier::smoke;
+  const std::size_t steps = is_smoke ? main_step : 160;
+  std::vector<Course> courses;
+  for (const NamedRule& rule : printed_rules) courses.push_back(course_of(context, rule, steps));
+  for (std::size_t step = 20; step <= steps; step += 20) {
+    for (std::size_t k = 0; k < courses.size(); ++k)
+      record_course(context, printed_rules[k], courses[k], step);
+    record_orders(context, printed_rules, courses, 0, courses.size() - 1, step);
+    // What the mixture stands between.
+    record_paired(context, fmt::format("step-{}/asymmetric-over-symmetric/gini", step),
+                  courses[3].gini[step], courses[1].gini[step]);
+  }
+  draw_figure(context, courses);
+}
+
+/// Ours, without claims.
+void record_other_rules(ExperimentContext& context) {
+  std::vector<Course> courses;
+  for (const NamedRule& rule : other_rules) {
+    courses.push_back(course_of(context, rule, main_step));
+    record_course(context, rule, courses.back(), main_step);
+  }
+  record_orders(context, other_rules, courses, 0, 5, main_step);
+  record_orders(context, other_rules, courses, 6, 8, main_step);
+}
+
+void run(ExperimentContext& context) {
+  record_printed_rules(context);
+  record_other_rules(context);
+}
+
+}  // namespace
+
+extern const ExperimentDescriptor size_inequality;
+constinit const ExperimentDescriptor size_inequality{
+    .id = "alsweis/size-inequality",
+    .question = "Does competition make plants unequal, the more so the more the larger one wins?",
+    .source = "[Alsweis] sec. 4.2, 4.8",
+    .seconds = {2, 3, 3},
+    .run = run,
+};
+
+}  // namespace phytobench::experiments::alsweis
