@@ -13,8 +13,8 @@ namespace phytobench {
 /// three discs overlap they divide the same ground more than once.
 ///
 /// Exact up to rounding: a disc's part is off by some 1e-15 of its radius times the largest radius
-/// of its neighbours for each arc within it, and a share by 2e-16 of its logarithm's size, which is
-/// below 1e-13 wherever the share is not 0. Time grows as the number of overlapping pairs times the
+/// of its neighbours for each arc within it, and weights relatively by 3e-13 at most, where they
+/// are worlds apart. Time grows as the number of overlapping pairs times the
 /// mean number of discs at a place. The same bits for any number of threads. Throws InputError
 /// beyond most_pairs pairs (on a torus those of images, too); discs must be fit (problem_with()),
 /// law.tie_order empty or as long as they are; ContractViolation for a negative exponent.

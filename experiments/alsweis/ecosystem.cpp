@@ -44,4 +44,17 @@ StartPlant in_the_middle_of(double side, double stem_radius) {
   return {.place = {0.5 * side, 0.5 * side}, .stem_radius = stem_radius, .species = 0};
 }
 
+void record_order(ExperimentContext& context, const std::string& group,
+                  std::span<const double> more, std::span<const double> less,
+                  const std::string& unit) {
+  record_paired(context, group, more, less, unit);
+  std::int64_t wins = 0;
+  for (std::size_t i = 0; i < more.size(); ++i) wins += more[i] > less[i] ? 1 : 0;
+  context.record({.experiment = {},
+                  .measurement = group + "/share_of_wins",
+                  .value = static_cast<double>(wins) / static_cast<double>(more.size()),
+                  .sample_size = static_cast<std::int64_t>(more.size()),
+                  .seed = context.seed()});
+}
+
 }  // namespace phytobench::experiments::alsweis

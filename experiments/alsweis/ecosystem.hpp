@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string>
 
 #include "experiments/alsweis/paired_runs.hpp"
 
@@ -42,5 +44,11 @@ PopulationParameters plot_of(double side, double least_growth, std::uint64_t see
 
 /// One plant in the middle of such a plot, of the first species.
 StartPlant in_the_middle_of(double side, double stem_radius);
+
+/// record_paired(), and `<group>/share_of_wins`: part of the pairs with a difference above 0, which
+/// means the same for any number of pairs.
+void record_order(ExperimentContext& context, const std::string& group,
+                  std::span<const double> more, std::span<const double> less,
+                  const std::string& unit = "1");
 
 }  // namespace phytobench::experiments::alsweis

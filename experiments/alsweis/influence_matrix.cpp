@@ -94,6 +94,20 @@ double mixing(const Fates& fates, const Window& window) {
                                 {.correction = EdgeCorrection::translation, .half_width = 0.3})[0];
 }
 
+/// Adds what became of the small plants to the part that they stand in.
+void tally_small(const Fates& fates, Parts& parts) {
+  const Point2 the_stem = fates.place[0];
+  const double crown = zone_radius_of(tree.crown_factor, fates.radius[0]);
+  for (std::size_t k = 1; k < fates.size(); ++k) {
+    if (fates.species[k] == large) continue;
+    const double nearness = nearness_to_large(fates, fates.place[k]);
+    if (nearness >= 0.9 && nearness <= 1.3) continue;
+    (nearness < 0.9 ? parts.inside : parts.outside).add(fates, k);
+    if (norm(fates.place[k] - the_stem) > crown + 1.0)
+      (nearness < 0.9 ? parts.lit_inside : parts.lit_outside).add(fates, k);
+  }
+}
+
 Parts parts_of(const Variant& variant, std::uint64_t seed) {
   const StartPlant in_the_middle = tree_in_the_middle();
   Population population = population_of(scene(variant, seed), {&in_the_middle, 1});
@@ -107,16 +121,7 @@ Parts parts_of(const Variant& variant, std::uint64_t seed) {
   parts.clark_evans_end = clark_evans(living(fates, true), window).ratio;
   parts.mixing_end = mixing(fates, window);
   parts.large_survival = static_cast<double>(living(fates, true).size()) / large_count;
-  const double crown = zone_radius_of(tree.crown_factor, fates.radius[0]);
-  for (std::size_t k = 1; k < fates.size(); ++k) {
-    if (fates.species[k] == large) continue;
-    const double nearness = nearness_to_large(fates, fates.place[k]);
-    if (nearness >= 0.9 && nearness <= 1.3) continue;
-    const bool is_lit = norm(fates.place[k] - in_the_middle.place) > crown + 1.0;
-    const auto add = [&](Tally& tally) { tally.add(fates, k); };
-    add(nearness < 0.9 ? parts.inside : parts.outside);
-    if (is_lit) add(nearness < 0.9 ? parts.lit_inside : parts.lit_outside);
-  }
+  tally_small(fates, parts);
   return parts;
 }
 
@@ -136,13 +141,13 @@ void record_groups(ExperimentContext& context, const std::string& group,
               of_all(plots, [](const Parts& p) { return p.large_survival; }));
   record_mean(context, group + "/large/clark_evans_start", start);
   record_mean(context, group + "/large/clark_evans_end", end);
-  record_paired(context, group + "/large/random_over_clark_evans_end", at_random, end);
-  record_paired(context, group + "/large/start_over_end_clark_evans", start, end);
+  record_order(context, group + "/large/random_over_clark_evans_end", at_random, end);
+  record_order(context, group + "/large/start_over_end_clark_evans", start, end);
   const auto mixed = of_all(plots, [](const Parts& p) { return p.mixing_start; });
   const auto mixed_at_end = of_all(plots, [](const Parts& p) { return p.mixing_end; });
   record_mean(context, group + "/mixing_at_half_a_metre/start", mixed);
   record_mean(context, group + "/mixing_at_half_a_metre/end", mixed_at_end);
-  record_paired(context, group + "/mixing_at_half_a_metre/start_over_end", mixed, mixed_at_end);
+  record_order(context, group + "/mixing_at_half_a_metre/start_over_end", mixed, mixed_at_end);
 }
 
 void record_variant(ExperimentContext& context, const Variant& variant) {
@@ -163,12 +168,12 @@ void record_variant(ExperimentContext& context, const Variant& variant) {
   record_tally(context, group + "/outside", all.outside);
   record_tally(context, group + "/beyond-crown/inside", all.lit_inside);
   record_tally(context, group + "/beyond-crown/outside", all.lit_outside);
-  record_paired(context, group + "/survival_outside_over_inside",
-                of_all(plots, [](const Parts& p) { return p.outside.survival(); }),
-                of_all(plots, [](const Parts& p) { return p.inside.survival(); }));
-  record_paired(context, group + "/beyond-crown/survival_outside_over_inside",
-                of_all(plots, [](const Parts& p) { return p.lit_outside.survival(); }),
-                of_all(plots, [](const Parts& p) { return p.lit_inside.survival(); }));
+  record_order(context, group + "/survival_outside_over_inside",
+               of_all(plots, [](const Parts& p) { return p.outside.survival(); }),
+               of_all(plots, [](const Parts& p) { return p.inside.survival(); }));
+  record_order(context, group + "/beyond-crown/survival_outside_over_inside",
+               of_all(plots, [](const Parts& p) { return p.lit_outside.survival(); }),
+               of_all(plots, [](const Parts& p) { return p.lit_inside.survival(); }));
   record_groups(context, group, plots);
 }
 

@@ -146,11 +146,11 @@ void record_setting(ExperimentContext& context, const Setting& setting) {
     for (std::size_t ring = 0; ring < all.ring.size(); ++ring)
       context.record(fmt::format("{}/ring-{}/survival", group, ring + 1),
                      all.ring[ring].survival());
-    record_paired(context, group + "/survival_outside_over_below", survival_outside(plots[c]),
-                  survival_below(plots[c]));
+    record_order(context, group + "/survival_outside_over_below", survival_outside(plots[c]),
+                 survival_below(plots[c]));
   }
-  record_paired(context, setting.name() + "/survival_below_open_over_dense",
-                survival_below(plots[0]), survival_below(plots[1]));
+  record_order(context, setting.name() + "/survival_below_open_over_dense",
+               survival_below(plots[0]), survival_below(plots[1]));
 }
 
 /// The tree's crown, and small plants as large as theirs.

@@ -112,7 +112,7 @@ void record_variant(ExperimentContext& context, const Variant& variant) {
   record_tally(context, group + "/outside", all.outside);
   record_mean(context, group + "/survival_inside", inside);
   record_mean(context, group + "/survival_outside", outside);
-  record_paired(context, group + "/survival_inside_over_outside", inside, outside);
+  record_order(context, group + "/survival_inside_over_outside", inside, outside);
   context.record(group + "/largest_survival_outside",
                  *std::max_element(outside.begin(), outside.end()));
 }

@@ -163,18 +163,18 @@ void record_bands(ExperimentContext& context) {
 /// 100 plants of one kind on 200 m by 200 m, as they are spread.
 void record_first_test(ExperimentContext& context) {
   constexpr std::size_t starts = 1000;
-  std::vector<double> torus(starts), bordered(starts);
-  PopulationParameters parameters;
-  parameters.species = {{.name = "plant", .count = 100}};
-  context.record("first-test/plants", parameters.species[0].count, "plants");
-  context.record("first-test/density", 100.0 / parameters.ground.area(), "1/m2");
+  std::vector<double> density(starts), torus(starts), bordered(starts);
   for_runs(context, "first test", starts, [&](std::size_t s) {
-    PopulationParameters own = parameters;
-    own.seed = seed_of_run(context, Question::first_test, s);
-    const Stand stand = sow(own).stand;
-    torus[s] = stand_pattern(stand, own.ground, true).mean_nearest_distance;
-    bordered[s] = stand_pattern(stand, own.ground, false).mean_nearest_distance;
+    PopulationParameters parameters;
+    parameters.seed = seed_of_run(context, Question::first_test, s);
+    parameters.ground = {{0.0, 0.0}, {side, side}};
+    parameters.species = {{.name = "plant", .count = 100}};
+    const Stand stand = sow(parameters).stand;
+    density[s] = static_cast<double>(stand.size()) / parameters.ground.area();
+    torus[s] = stand_pattern(stand, parameters.ground, true).mean_nearest_distance;
+    bordered[s] = stand_pattern(stand, parameters.ground, false).mean_nearest_distance;
   });
+  record_mean(context, "first-test/density", density, "1/m2");
   record_mean(context, "first-test/torus/nearest_distance", torus, "m");
   record_mean(context, "first-test/border/nearest_distance", bordered, "m");
 }

@@ -151,8 +151,8 @@ struct PersistenceCurves {
   Curve bankers, others;
 
   explicit PersistenceCurves(const std::string& where, CurveStyle style)
-      : bankers{.name = "with seed bank, " + where, .style = style},
-        others{.name = "without, " + where, .style = style} {}
+      : bankers{.name = "with seed bank, " + where, .style = style, .colour = 0},
+        others{.name = "without, " + where, .style = style, .colour = 1} {}
 
   void add(double bad_years, const Persistence& persistence) {
     bankers.x.push_back(bad_years);
@@ -165,8 +165,9 @@ struct PersistenceCurves {
 CurvePanel course_panel(ExperimentContext& context) {
   const auto course =
       course_of(stand_of({60, 60}, 0.2, seed_of_run(context, Question::seed_bank, 0)));
-  Curve bankers{.name = "plants with seed bank"}, others{.name = "plants without"},
-      resting{.name = "resting seeds", .style = CurveStyle::dotted};
+  Curve bankers{.name = "plants with seed bank", .colour = 0},
+      others{.name = "plants without", .colour = 1},
+      resting{.name = "resting seeds", .style = CurveStyle::dotted, .colour = 2};
   for (std::size_t t = 0; t < course.size(); ++t) {
     for (Curve* curve : {&bankers, &others, &resting}) curve->x.push_back(static_cast<double>(t));
     bankers.y.push_back(course[t].plants[banker]);

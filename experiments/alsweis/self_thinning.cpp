@@ -157,6 +157,7 @@ void record_slopes(ExperimentContext& context, const std::string& group, const L
   context.record(group + "/median_slope_high", slope.high);
   context.record(group + "/steepest", *std::min_element(lines.slope.begin(), lines.slope.end()));
   context.record(group + "/flattest", *std::max_element(lines.slope.begin(), lines.slope.end()));
+  record_mean(context, group + "/r_squared", lines.r_squared);
   context.record(group + "/least_r_squared",
                  *std::min_element(lines.r_squared.begin(), lines.r_squared.end()));
   record_mean(context, group + "/yield_slope", lines.yield_slope);

@@ -149,9 +149,10 @@ void draw_five_plants(ExperimentContext& context) {
   const double height = scale * shown.height(), right = panel_width + gap;
   const std::string title = "Five plants: how many cover a place, and which of them is the largest";
   std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" width=\"{:.0f}\" "
-      "role=\"img\" aria-label=\"{}\">\n<title>{}</title>\n",
-      right + panel_width, top + height + 30.0, right + panel_width, title, title);
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" role=\"img\" "
+      "aria-label=\"{2}\" fill=\"currentColor\" font-size=\"12\" font-family=\"sans-serif\">\n"
+      "<title>{2}</title>\n",
+      right + panel_width, top + height + 30.0, title);
   svg += multiplicity_panel(stand, 0.0) + winner_panel(stand, right);
   svg += svg_text(0.5 * panel_width, top + height + 20.0, "middle",
                   "a) covered by one to four plants");

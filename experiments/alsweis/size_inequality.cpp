@@ -174,9 +174,53 @@ void record_other_rules(ExperimentContext& context) {
   record_orders(context, other_rules, courses, 6, 8, main_step);
 }
 
+/// Two plants 8 m apart on open ground, as in [Alsweis] fig. 4.3.
+std::vector<std::vector<double>> radii_of_two(const char* rule, double first, double second) {
+  PopulationParameters parameters;
+  parameters.rule = rule;
+  parameters.ground = {{0.0, 0.0}, {48.0, 40.0}};
+  parameters.is_torus = false;
+  parameters.species = {{.name = "plant"}};
+  const std::array plants = {StartPlant{{20.0, 20.0}, first}, StartPlant{{28.0, 20.0}, second}};
+  Population population = population_of(parameters, plants);
+  std::vector<std::vector<double>> radii(2);
+  for (std::size_t t = 0; t <= main_step; ++t) {
+    for (const auto& [id, radius] : by_plant(population.stand(), population.stand().stem_radius))
+      radii[id].push_back(radius);
+    population.step();
+  }
+  return radii;
+}
+
+CurvePanel panel_of_two(const char* rule) {
+  const auto alone = radii_of_two("none", 0.06, 0.03), two = radii_of_two(rule, 0.06, 0.03);
+  CurvePanel panel{.caption = rule,
+                   .x_label = "steps",
+                   .y_label = "stem radius, m",
+                   .y_range = AxisRange{0.0, 0.5}};
+  std::vector<double> steps;
+  for (std::size_t t = 0; t <= main_step; ++t) steps.push_back(static_cast<double>(t));
+  const auto add = [&](const char* name, const std::vector<double>& y, CurveStyle style,
+                       std::size_t colour) {
+    panel.curves.push_back({.name = name, .x = steps, .y = y, .style = style, .colour = colour});
+  };
+  add("larger plant", two[0], CurveStyle::solid, 0);
+  add("smaller plant", two[1], CurveStyle::solid, 1);
+  add("larger plant, alone", alone[0], CurveStyle::dashed, 0);
+  add("smaller plant, alone", alone[1], CurveStyle::dashed, 1);
+  return panel;
+}
+
+void draw_two_plants(ExperimentContext& context) {
+  context.artifact("figure-4.3.svg",
+                   curve_svg({panel_of_two("symmetric"), panel_of_two("asymmetric")},
+                             "Figure 4.3: two plants 8 m apart, and the same plants alone"));
+}
+
 void run(ExperimentContext& context) {
   record_printed_rules(context);
   record_other_rules(context);
+  draw_two_plants(context);
 }
 
 }  // namespace

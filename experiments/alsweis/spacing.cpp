@@ -53,8 +53,8 @@ constexpr std::size_t growth_seeds = 20;
 
 /// A hundred plants of which none dies.
 void record_growth(ExperimentContext& context) {
-  constexpr std::array<int, 3> moments = {20, 40, 60};
-  std::array<std::array<std::vector<double>, columns.size()>, moments.size()> radius;
+  constexpr std::array<int, 3> steps = {20, 40, 60};
+  std::array<std::array<std::vector<double>, columns.size()>, steps.size()> radius;
   for (auto& moment : radius)
     for (auto& values : moment) values.resize(growth_seeds);
   for (std::size_t c = 0; c < columns.size(); ++c)
@@ -62,19 +62,19 @@ void record_growth(ExperimentContext& context) {
              [&](std::size_t run) {
                Population population = population_of(
                    woody_plants(columns[c], 100, 15.0, seed_of_run(context, question_growth, run)));
-               for (std::size_t m = 0; m < moments.size(); ++m) {
-                 while (population.state().step < moments[m]) population.step();
+               for (std::size_t m = 0; m < steps.size(); ++m) {
+                 while (population.state().step < steps[m]) population.step();
                  radius[m][c][run] = mean_radius(population.stand());
                }
              });
-  for (std::size_t m = 0; m < moments.size(); ++m) {
-    const std::string group = fmt::format("growth/step-{}", moments[m]);
+  for (std::size_t m = 0; m < steps.size(); ++m) {
+    const std::string group = fmt::format("growth/step-{}", steps[m]);
     for (std::size_t c = 0; c < columns.size(); ++c)
       record_mean(context, fmt::format("{}/{}/mean_radius", group, columns[c].name), radius[m][c],
                   "m");
-    record_paired(context, group + "/none_over_symmetric", radius[m][2], radius[m][0], "m");
-    record_paired(context, group + "/none_over_asymmetric", radius[m][2], radius[m][1], "m");
-    record_paired(context, group + "/symmetric_over_asymmetric", radius[m][0], radius[m][1], "m");
+    record_order(context, group + "/none_over_symmetric", radius[m][2], radius[m][0], "m");
+    record_order(context, group + "/none_over_asymmetric", radius[m][2], radius[m][1], "m");
+    record_order(context, group + "/symmetric_over_asymmetric", radius[m][0], radius[m][1], "m");
   }
 }
 
@@ -104,12 +104,13 @@ struct Survivors {
   }
 };
 
+constexpr std::array<int, 3> moments = {0, 60, 120};
+/// By moment, then by column.
+using AllSurvivors = std::vector<std::vector<Survivors>>;
+
 /// Four hundred plants, of which those die that are kept small.
-void record_spacing(ExperimentContext& context) {
-  const std::size_t seeds = context.tier() == Tier::full ? 100 : 20;
-  constexpr std::array<int, 3> moments = {0, 60, 120};
-  std::vector<std::vector<Survivors>> left(
-      moments.size(), std::vector<Survivors>(columns.size(), Survivors(seeds)));
+AllSurvivors survivors_of(ExperimentContext& context, std::size_t seeds) {
+  AllSurvivors left(moments.size(), std::vector<Survivors>(columns.size(), Survivors(seeds)));
   for (std::size_t c = 0; c < columns.size(); ++c)
     for_runs(context, fmt::format("spacing, {}", columns[c].name), seeds, [&](std::size_t run) {
       PopulationParameters parameters =
@@ -121,6 +122,11 @@ void record_spacing(ExperimentContext& context) {
         left[m][c].set(run, population);
       }
     });
+  return left;
+}
+
+void record_spacing(ExperimentContext& context) {
+  const AllSurvivors left = survivors_of(context, context.tier() == Tier::full ? 100 : 20);
   left[0][0].record(context, "spacing/step-0");
   for (std::size_t m = 1; m < moments.size(); ++m) {
     const std::string group = fmt::format("spacing/step-{}", moments[m]);
@@ -128,12 +134,12 @@ void record_spacing(ExperimentContext& context) {
       left[m][c].record(context, fmt::format("{}/{}", group, columns[c].name));
     const Survivors &symmetric = left[m][0], &asymmetric = left[m][1];
     const std::string over = group + "/asymmetric_over_symmetric/";
-    record_paired(context, over + "nearest_distance", asymmetric.nearest_distance,
-                  symmetric.nearest_distance, "m");
-    record_paired(context, over + "clark_evans", asymmetric.clark_evans, symmetric.clark_evans);
-    record_paired(context, over + "radius", asymmetric.radius, symmetric.radius, "m");
-    record_paired(context, group + "/symmetric_over_asymmetric/plants", symmetric.plants,
-                  asymmetric.plants, "plants");
+    record_order(context, over + "nearest_distance", asymmetric.nearest_distance,
+                 symmetric.nearest_distance, "m");
+    record_order(context, over + "clark_evans", asymmetric.clark_evans, symmetric.clark_evans);
+    record_order(context, over + "radius", asymmetric.radius, symmetric.radius, "m");
+    record_order(context, group + "/symmetric_over_asymmetric/plants", symmetric.plants,
+                 asymmetric.plants, "plants");
   }
 }
 

@@ -91,11 +91,10 @@ void record_plots(ExperimentContext& context, const std::string& group,
     far_radius.push_back(plot.outside.mean_radius());
     near_radius.push_back(plot.inside.mean_radius());
   }
-  record_paired(context, group + "/plots/survival_outside_over_inside", far_survival,
-                near_survival);
+  record_order(context, group + "/plots/survival_outside_over_inside", far_survival, near_survival);
   if (near_radius.size() > 1)
-    record_paired(context, group + "/plots/radius_outside_over_inside", far_radius, near_radius,
-                  "m");
+    record_order(context, group + "/plots/radius_outside_over_inside", far_radius, near_radius,
+                 "m");
 }
 
 void record_near(ExperimentContext& context) {
@@ -137,31 +136,42 @@ double loss_from_tree(const Population& population, const Reach& reach) {
   return inside.count() > 0 ? inside.mean() : 0.0;
 }
 
-/// How much of that is by roots and how much by the crown, at the start and before the first dies.
-void record_parts_of_loss(ExperimentContext& context) {
-  const std::size_t seeds = by_tier(context.tier(), 60, 200, 1000);
-  constexpr std::array<int, 2> moments = {0, 4};
-  std::array<std::vector<double>, moments.size()> by_roots, by_crown;
-  for (std::size_t m = 0; m < moments.size(); ++m) {
-    by_roots[m].resize(seeds);
-    by_crown[m].resize(seeds);
+/// The start, and the last step before a shrub can die.
+constexpr std::array<int, 2> early = {0, 4};
+
+/// Loss from the tree in one plot, by moment.
+struct PartsOfLoss {
+  std::array<double, early.size()> by_roots{}, by_crown{};
+};
+
+PartsOfLoss parts_of_loss(std::uint64_t seed) {
+  const StartPlant the_tree = tree_in_the_middle();
+  Population population = population_of(tree_with_shrubs(reaches[0], seed), {&the_tree, 1});
+  PartsOfLoss parts;
+  for (std::size_t m = 0; m < early.size(); ++m) {
+    while (population.state().step < early[m]) population.step();
+    parts.by_roots[m] = loss_from_tree(population, reaches[1]);
+    parts.by_crown[m] = loss_from_tree(population, reaches[2]);
   }
-  for_runs(context, "parts of loss", seeds, [&](std::size_t run) {
-    const StartPlant the_tree = tree_in_the_middle();
-    Population population =
-        population_of(tree_with_shrubs(reaches[0], seed_of_run(context, question_near_tree, run)),
-                      {&the_tree, 1});
-    for (std::size_t m = 0; m < moments.size(); ++m) {
-      while (population.state().step < moments[m]) population.step();
-      by_roots[m][run] = loss_from_tree(population, reaches[1]);
-      by_crown[m][run] = loss_from_tree(population, reaches[2]);
-    }
+  return parts;
+}
+
+/// How much of that is by roots and how much by the crown.
+void record_parts_of_loss(ExperimentContext& context) {
+  std::vector<PartsOfLoss> plots(by_tier(context.tier(), 60, 200, 1000));
+  for_runs(context, "parts of loss", plots.size(), [&](std::size_t run) {
+    plots[run] = parts_of_loss(seed_of_run(context, question_near_tree, run));
   });
-  for (std::size_t m = 0; m < moments.size(); ++m) {
-    const std::string group = fmt::format("loss-from-tree/step-{}", moments[m]);
-    record_mean(context, group + "/by_roots", by_roots[m]);
-    record_mean(context, group + "/by_crown", by_crown[m]);
-    record_paired(context, group + "/crown_over_roots", by_crown[m], by_roots[m]);
+  for (std::size_t m = 0; m < early.size(); ++m) {
+    std::vector<double> by_roots, by_crown;
+    for (const PartsOfLoss& parts : plots) {
+      by_roots.push_back(parts.by_roots[m]);
+      by_crown.push_back(parts.by_crown[m]);
+    }
+    const std::string group = fmt::format("loss-from-tree/step-{}", early[m]);
+    record_mean(context, group + "/by_roots", by_roots);
+    record_mean(context, group + "/by_crown", by_crown);
+    record_order(context, group + "/crown_over_roots", by_crown, by_roots);
   }
 }
 
@@ -178,31 +188,37 @@ std::array<double, kinds> alive(const Stand& stand) {
   return plants;
 }
 
+/// Of one plot, by stage, then by kind.
+using Numbers = std::array<std::array<double, kinds>, stages.size()>;
+
+Numbers numbers_of(std::uint64_t seed) {
+  const StartPlant the_tree = tree_in_the_middle();
+  Population population = population_of(whole_scene(seed), {&the_tree, 1});
+  Numbers numbers{};
+  for (std::size_t stage = 0; stage < stages.size(); ++stage) {
+    while (population.state().step < stages[stage]) population.step();
+    numbers[stage] = alive(population.stand());
+  }
+  return numbers;
+}
+
 void record_decline(ExperimentContext& context) {
-  const std::size_t seeds = by_tier(context.tier(), 20, 20, 100);
-  // plants[stage][kind][seed]
-  std::array<std::array<std::vector<double>, kinds>, stages.size()> plants;
-  for (auto& stage : plants)
-    for (auto& kind : stage) kind.resize(seeds);
-  for_runs(context, "all 4356 plants", seeds, [&](std::size_t run) {
-    const StartPlant the_tree = tree_in_the_middle();
-    Population population =
-        population_of(whole_scene(seed_of_run(context, question_decline, run)), {&the_tree, 1});
-    for (std::size_t stage = 0; stage < stages.size(); ++stage) {
-      while (population.state().step < stages[stage]) population.step();
-      const auto now = alive(population.stand());
-      for (std::size_t kind = 0; kind < kinds; ++kind) plants[stage][kind][run] = now[kind];
-    }
+  std::vector<Numbers> plots(by_tier(context.tier(), 20, 20, 100));
+  for_runs(context, "all 4356 plants", plots.size(), [&](std::size_t run) {
+    plots[run] = numbers_of(seed_of_run(context, question_decline, run));
   });
   for (std::size_t kind = 0; kind < kinds; ++kind) {
     const std::string group = fmt::format("decline/{}", short_names[kind]);
+    const auto plants = [&](std::size_t stage) {
+      std::vector<double> values;
+      for (const Numbers& numbers : plots) values.push_back(numbers[stage][kind]);
+      return values;
+    };
     for (std::size_t stage = 0; stage < stages.size(); ++stage)
-      record_mean(context, fmt::format("{}/stage-{}", group, stage + 1), plants[stage][kind],
-                  "plants");
+      record_mean(context, fmt::format("{}/stage-{}", group, stage + 1), plants(stage), "plants");
     if (kind == 0) continue;
-    // The third stage beside the last, and the first.
-    record_paired(context, group + "/third_over_last", plants[2][kind], plants[3][kind], "plants");
-    record_paired(context, group + "/first_over_last", plants[0][kind], plants[3][kind], "plants");
+    record_order(context, group + "/third_over_last", plants(2), plants(3), "plants");
+    record_order(context, group + "/first_over_last", plants(0), plants(3), "plants");
   }
 }
 
