@@ -23,6 +23,7 @@ namespace {
 
 constexpr int picture_side = 1000;  // pixels
 constexpr std::int32_t usual_checkpoint = 100;
+constexpr std::size_t most_plants_with_pattern = 20'000;  // unless asked for: it takes time
 
 /// What a run starts from.
 struct CompeteStart {
@@ -191,10 +192,10 @@ class CompeteRun {
                              .pattern = {},
                              .pairs = pairs_,
                              .files = {}};
+    if (!options_.statistics && state().stand.size() > most_plants_with_pattern) return findings;
     show_progress("finding the pattern of the stand");
-    if (options_.statistics || state().stand.size() <= most_plants_in_svg)
-      findings.pattern = stand_pattern(state().stand, start_.parameters.ground,
-                                       start_.parameters.is_torus, options_.threads);
+    findings.pattern = stand_pattern(state().stand, start_.parameters.ground,
+                                     start_.parameters.is_torus, options_.threads);
     return findings;
   }
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // phytobench compete as a user meets it. Never asserts on a time.
-#include <cmath>
-#include <map>
 #include <sstream>
 
-#include "cli/command_line_fixture.hpp"
+#include "cli/compete_fixture.hpp"
 
 namespace phytobench {
 namespace {
@@ -13,50 +11,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
 using Lines = std::vector<std::string>;
-
-/// Plants that bear seeds, rest, starve, fall ill and are taken out.
-constexpr const char* lively = R"(seed = 3
-steps = 40
-[ground]
-size = [60.0, 50.0]
-corner = [-10.0, 5.0]
-[competition]
-rule = "combined"
-[mortality]
-rule = "mean-relative-growth"
-threshold = 0.004
-[seasons]
-bad_year_share = 0.2
-[illness]
-duration = 10
-is_deadly = true
-[[species]]
-name = "annual"
-count = 80
-largest_age = 30
-largest_radius = 0.2
-growth_rate = 0.03
-[species.reproduction]
-threshold = 0.08
-seeds_per_metre = 8.0
-dispersal_distance = 6.0
-seed_mortality = 0.1
-dormant_share = 0.4
-germination_rate = 0.3
-seedling_radius = 0.02
-[[species]]
-name = "shrub"
-count = 60
-[[event]]
-kind = "disease"
-step = 5
-share = 0.3
-[[event]]
-kind = "removal"
-step = 12
-species = "shrub"
-largest = 2
-)";
 
 Lines lines_of(const std::string& text) {
   Lines lines;
@@ -71,66 +25,6 @@ Words fields_of(const std::string& line) {
   for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
   return fields;
 }
-
-class CompeteCommand : public CommandLine {
- protected:
-  CompeteCommand() { write("lively.toml", lively); }
-
-  void expect_done(const std::string& arguments) const {
-    const Outcome outcome = run_line("compete " + arguments);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "");
-  }
-
-  json document(const std::string& arguments) const {
-    const Outcome outcome = run_line("compete --json " + arguments);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    const json result = json::parse(outcome.out, nullptr, false);
-    EXPECT_EQ(text_at(result, "schema"), "phytobench/compete-1");
-    return result;
-  }
-
-  /// Every file below a folder, by its name seen from there.
-  std::map<std::string, std::string> files_below(const std::string& name) const {
-    std::map<std::string, std::string> files;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder() / name))
-      if (entry.is_regular_file())
-        files[fs::relative(entry.path(), folder() / name).string()] = content_of(entry.path());
-    return files;
-  }
-
-  void expect_same_files(const std::string& a, const std::string& b) const {
-    const auto first = files_below(a), second = files_below(b);
-    for (const auto& [name, content] : first) {
-      ASSERT_TRUE(second.contains(name)) << name;
-      EXPECT_TRUE(second.at(name) == content) << name << " differs";
-    }
-    EXPECT_EQ(first.size(), second.size());
-  }
-
-  /// Starts a run and sends it a signal so many milliseconds after the file is there. The code is
-  /// -1 if that killed it; 0 if it was done before.
-  Outcome run_and_signal(int signal, const std::string& arguments, const std::string& file,
-                         int milliseconds) const {
-    Words words;
-    std::istringstream stream("compete " + arguments);
-    for (std::string word; stream >> word;) words.push_back(word);
-    const fs::path out = folder() / "stdout", err = folder() / "stderr";
-    const pid_t child = start(words, folder(), out, err);
-    siginfo_t ended{};
-    while (!exists(file) && ended.si_pid == 0) {
-      ::usleep(500);
-      ::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
-    }
-    ::usleep(static_cast<useconds_t>(1000 * milliseconds));
-    ::kill(child, signal);
-    const int code = exit_code_of(child);
-    const Outcome outcome{code, content_of(out), content_of(err)};
-    fs::remove(out);
-    fs::remove(err);
-    return outcome;
-  }
-};
 
 TEST_F(CompeteCommand, RunsItsExample) {
   write("example.toml", output_of({"compete", "--example"}));
@@ -283,98 +177,6 @@ TEST_F(CompeteCommand, ThePatternOfManyPlantsOnlyOnDemand) {
                       "step 0 has 20001 plants");
 }
 
-// Runs that end early.
-
-const std::string many_frames = "lively.toml --steps 90 --frames 1 --frame-format svg ";
-
-TEST_F(CompeteCommand, KilledAndResumedItLeavesTheSameFiles) {
-  const std::string options = many_frames + "--checkpoint 7 --every 2 ";
-  expect_done(options + "--out whole");
-  int kills = 0;
-  const auto kill = [&](const std::string& more, const std::string& frame, int milliseconds) {
-    const Outcome outcome = run_and_signal(SIGKILL, options + "--out broken" + more,
-                                           "broken/frames/" + frame, milliseconds);
-    kills += outcome.code == -1;
-  };
-  kill("", "00008.svg", 0);
-  kill(" --resume", "00030.svg", 1);
-  kill(" --resume", "00060.svg", 3);
-  EXPECT_GT(kills, 0);
-  expect_done(options + "--out broken --resume");
-  expect_same_files("whole", "broken");
-}
-
-TEST_F(CompeteCommand, InterruptedItSaysHowToGoOn) {
-  const Outcome outcome =
-      run_and_signal(SIGINT, many_frames + "--out broken", "broken/frames/00003.svg", 0);
-  ASSERT_EQ(outcome.code, 130) << outcome.err;
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(line_count(outcome.err), 1) << outcome.err;
-  EXPECT_THAT(outcome.err,
-              HasSubstr("broken/checkpoint.bin, go on with the same command and --resume"));
-  expect_done(many_frames + "--out broken --resume --threads 2");
-  expect_done(many_frames + "--out whole");
-  expect_same_files("whole", "broken");
-}
-
-TEST_F(CompeteCommand, GoesOnToMoreSteps) {
-  const std::string options =
-      "lively.toml --frames 7 --frame-format svg --every 3 --checkpoint 10 ";
-  expect_done(options + "--steps 26 --out longer");
-  expect_done(options + "--steps 40 --out longer --resume");
-  expect_done(options + "--steps 40 --out whole");
-  expect_same_files("whole", "longer");
-  const std::string steps = read("longer/steps.csv");
-  expect_refused_line("compete " + options + "--steps 39 --out longer --resume",
-                      "is at step 40, beyond the 39 steps");
-  EXPECT_EQ(read("longer/steps.csv"), steps);
-}
-
-TEST_F(CompeteCommand, RemovesWhatAKilledRunLeftHalfWritten) {
-  expect_done("lively.toml --out run --checkpoint 10 --steps 20");
-  write("run/stand.png.part123", "half");
-  write("run/frames/00002.png.part9", "half");
-  write("run/notes.part", "mine");
-  expect_done("lively.toml --out run --checkpoint 10 --steps 20 --resume");
-  EXPECT_FALSE(exists("run/stand.png.part123"));
-  EXPECT_FALSE(exists("run/frames/00002.png.part9"));
-  EXPECT_EQ(read("run/notes.part"), "mine");
-}
-
-TEST_F(CompeteCommand, TouchesAnOlderRunOnlyToResumeIt) {
-  expect_done("lively.toml --out run --checkpoint 10 --steps 20");
-  const auto files = files_below("run");
-  expect_refused_line("compete lively.toml --out run", "run: already holds checkpoint.bin");
-  const std::string again = "compete lively.toml --out run --steps 30 --resume ";
-  expect_refused_line(again + "--seed 5", "seed = 3, not 5");
-  expect_refused_line(again + "--rule none", "competition.rule = combined, not none");
-  expect_refused_line(again + "--every 2", "--every = 1, not 2");
-  write("more.toml", lively + std::string("[[species]]\nname = \"tree\"\n"));
-  expect_refused_line("compete more.toml --out run --resume", "species = annual, shrub, not");
-  EXPECT_EQ(files_below("run"), files);
-
-  std::string changed = read("run/steps.csv");
-  changed[200] = '7';
-  write("run/steps.csv", changed);
-  expect_refused_line(again, "run/steps.csv: was changed");
-  write("run/checkpoint.bin", read("run/checkpoint.bin").substr(0, 1000));
-  expect_refused_line(again, "run/checkpoint.bin: is damaged");
-}
-
-TEST_F(CompeteCommand, RefusesToResumeNothing) {
-  expect_refused_line("compete lively.toml --resume", "--resume needs --out");
-  expect_refused_line("compete lively.toml --out absent --resume", "start without --resume");
-  expect_done("lively.toml --out run --steps 2");
-  EXPECT_FALSE(exists("run/checkpoint.bin"));
-  expect_refused_line("compete lively.toml --out run --resume", "that run is finished");
-  write("mine/plants.csv", "x,y,radius,species\n1,9,0.1,shrub\n");
-  expect_refused_line("compete lively.toml --plants mine/plants.csv --out mine",
-                      "already holds plants.csv");
-  EXPECT_EQ(left_behind(), (std::set<std::string>{"lively.toml", "mine", "run"}));
-}
-
-// What goes wrong.
-
 TEST_F(CompeteCommand, RefusesWrongInput) {
   const auto with = [&](const std::string& options, const std::string& part) {
     expect_refused_line("compete lively.toml " + options, part);
@@ -412,26 +214,6 @@ TEST_F(CompeteCommand, FailsWhereNothingCanBeWritten) {
   const Outcome outcome = run_on_full_disk({"compete", "lively.toml", "--steps", "2"});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("standard output"));
-}
-
-TEST_F(CompeteCommand, AFullDiskLeavesNothingHalfWritten) {
-  {
-    const SmallFilesOnly no_room(1000);
-    expect_refused({"compete", "lively.toml", "--out", "none"}, 3, "none/checkpoint.bin");
-  }
-  EXPECT_TRUE(files_below("none").empty());
-  {
-    const SmallFilesOnly little_room(30'000);  // no picture fits
-    expect_refused({"compete", "lively.toml", "--out", "some"}, 3, "cannot write some/");
-  }
-  for (const auto& [name, content] : files_below("some")) {
-    EXPECT_TRUE(name == "checkpoint.bin" || name == "parameters.toml" || name == "steps.csv")
-        << name;
-    EXPECT_EQ(content.find(".part"), std::string::npos);
-  }
-  expect_done("lively.toml --out some --resume");
-  expect_done("lively.toml --out whole");
-  expect_same_files("whole", "some");
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ std::string curves_of(std::string_view steps_csv, const std::vector<std::string>
 std::string plants_csv(const CompeteFindings& f) {
   const PopulationState& state = f.population.state();
   const Stand& stand = state.stand;
-  fmt::memory_buffer text;
+  std::string text;
   const auto out = std::back_inserter(text);
   fmt::format_to(out,
                  "id,species,x,y,radius,age,ill_since,root_radius,crown_radius,loss,"
@@ -107,7 +107,7 @@ std::string plants_csv(const CompeteFindings& f) {
                    f.population.parameters().species[stand.species[i]].name, stand.x[i], stand.y[i],
                    stand.stem_radius[i], stand.age[i], stand.ill_since[i], f.last.root_radius[i],
                    f.last.crown_radius[i], f.last.loss[i], mean_recent_growth(state, i));
-  return fmt::to_string(text);
+  return text;
 }
 
 }  // namespace phytobench::cli

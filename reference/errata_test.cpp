@@ -22,8 +22,9 @@ namespace {
 const OracleTable& oracles_by_name() {
   static const OracleTable oracles = [] {
     OracleTable all;
-    for (const OracleTable& part : {brzoska2019_oracles(), alsweis_pattern_oracles(),
-                                    alsweis_growth_oracles(), alsweis_population_oracles()})
+    for (const OracleTable& part :
+         {brzoska2019_oracles(), alsweis_pattern_oracles(), alsweis_growth_oracles(),
+          alsweis_population_oracles(), alsweis_competition_oracles()})
       all.insert(part.begin(), part.end());
     return all;
   }();

@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include "core/contract/errors.hpp"
+#include "core/contract/parameter_keys.hpp"
 #include "core/contract/suggestion.hpp"
 #include "core/contract/text_file.hpp"
 
@@ -66,7 +67,7 @@ TomlTable TomlTable::read(const std::filesystem::path& file) {
   } catch (const toml::parse_error& error) {
     const auto& where = error.source().begin;
     throw InputError(fmt::format("{}:{}:{}: not valid TOML: {}", file.string(), where.line,
-                                 where.column, error.description()));
+                                 where.column, in_one_line(error.description(), 300)));
   }
 }
 

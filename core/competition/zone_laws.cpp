@@ -18,8 +18,8 @@ int nearest_image(double difference, double period) {
 double distance_of_pair(const Discs& zone, const Ground& ground, std::size_t i, std::size_t j,
                         double overlap) {
   if (!ground.torus) return center_distance(zone, ground, i, j, {});
-  const Image nearest{nearest_image(zone.x[j] - zone.x[i], ground.period_x()),
-                      nearest_image(zone.y[j] - zone.y[i], ground.period_y())};
+  const TorusImage nearest{nearest_image(zone.x[j] - zone.x[i], ground.period_x()),
+                           nearest_image(zone.y[j] - zone.y[i], ground.period_y())};
   const double shortest = center_distance(zone, ground, i, j, nearest);
   const double r = zone.radius[i], s = zone.radius[j];
   // The next image is at least this far: the usual case needs no look at the overlap.

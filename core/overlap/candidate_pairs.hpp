@@ -29,7 +29,7 @@ class PairCollector {
     pairs.clear();
   }
 
-  void offer(std::size_t i, std::size_t j, Image image) {
+  void offer(std::size_t i, std::size_t j, TorusImage image) {
     ++work_.candidates;
     const double distance = center_distance(discs_, ground_, i, j, image);
     const double r = discs_.radius[i], s = discs_.radius[j];
@@ -68,9 +68,9 @@ class PairCollector {
 struct DiscEntry {
   double x, y, radius;
   DiscIndex disc;
-  Image image;
+  TorusImage image;
 
-  bool is_image() const { return image != Image{}; }
+  bool is_image() const { return image != TorusImage{}; }
 };
 
 /// All discs in their order, then every image that may meet a disc. Discs of radius 0 meet nothing

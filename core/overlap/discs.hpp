@@ -38,17 +38,17 @@ struct Ground {
 };
 
 /// How many periods the image of a disc lies away; 0, 0 on the open plane.
-struct Image {
+struct TorusImage {
   int x = 0;
   int y = 0;
 
-  friend constexpr bool operator==(const Image&, const Image&) = default;
+  friend constexpr bool operator==(const TorusImage&, const TorusImage&) = default;
 };
 
 /// The one distance of the suite between centers i and j (its image): every engine rounds so. The
 /// same to the last bit with i and j exchanged and the image turned round.
 inline double center_distance(const Discs& discs, const Ground& ground, std::size_t i,
-                              std::size_t j, Image image) {
+                              std::size_t j, TorusImage image) {
   const double dx = (discs.x[j] - discs.x[i]) + image.x * ground.period_x();
   const double dy = (discs.y[j] - discs.y[i]) + image.y * ground.period_y();
   return std::sqrt(dx * dx + dy * dy);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <span>
 
 #include "core/contract/check.hpp"
 #include "core/population/stand_look.hpp"
@@ -43,14 +45,23 @@ class Canvas {
     };
     const double reach = outer + 0.5;
     const int end_row = last(y + reach, height_), end_column = last(x + reach, width_);
-    for (int row = first(y - reach); row < end_row; ++row)
+    for (int row = first(y - reach); row < end_row; ++row) {
+      const double dy = row + 0.5 - y;
+      // Half the width of what lies so far inside that nothing is drawn there.
+      const double hole = std::sqrt(std::max(0.0, (inner - 1.0) * std::abs(inner - 1.0) - dy * dy));
       for (int column = first(x - reach); column < end_column; ++column) {
-        const double dx = column + 0.5 - x, dy = row + 0.5 - y;
+        const double dx = column + 0.5 - x;
+        if (std::abs(dx) < hole) {
+          const double last_inside = std::floor(x + hole - 0.5);
+          column = std::max(column, static_cast<int>(std::min<double>(last_inside, end_column)));
+          continue;
+        }
         const double distance = std::sqrt(dx * dx + dy * dy);
         double cover = std::clamp(outer + 0.5 - distance, 0.0, 1.0);
         if (inner > 0.0) cover -= std::clamp(inner + 0.5 - distance, 0.0, 1.0);
         if (cover > 0.0) blend(column, row, colour, cover * opacity);
       }
+    }
   }
 
   Image image() const {
@@ -81,6 +92,8 @@ class StandPainter {
         order_(order_of_ids(view.stand)) {}
 
   Image painted() {
+    fills_roots_ = show_as_areas(view_.root_radius);
+    fills_crowns_ = show_as_areas(view_.crown_radius);
     if (const ResourceMap* map = background_of(parameters_)) paint_map(*map);
     for (const std::size_t i : order_) paint_root_zone(i);
     for (const std::size_t i : order_) paint_crown(i);
@@ -91,6 +104,15 @@ class StandPainter {
  private:
   int pixels(double metres) const {
     return std::max(1, static_cast<int>(std::lround(scale_ * metres)));
+  }
+
+  /// Where a place lies in very many zones, areas would only add up to one flat colour, slowly.
+  bool show_as_areas(std::span<const double> radii) const {
+    constexpr double most_layers = 100.0;
+    const double ground = parameters_.ground.area();
+    double sum = 0.0;
+    for (const double radius : radii) sum += std::min(ground, std::numbers::pi * radius * radius);
+    return sum <= most_layers * ground;
   }
 
   void paint_map(const ResourceMap& map) {
@@ -118,17 +140,18 @@ class StandPainter {
   }
 
   void paint_root_zone(std::size_t i) {
-    constexpr double line = 1.2, smallest_circle = 3.0;  // pixels
+    constexpr double smallest_circle = 3.0;  // pixels
     const double radius = scale_ * view_.root_radius[i];
     const Colour colour = is_oppressed(view_.loss[i]) ? oppressed_colour() : own_colour(i);
     if (radius < smallest_circle) return paint(i, 0.0, radius, colour, 0.25);
-    paint(i, 0.0, radius, colour, 0.07);
+    if (fills_roots_) paint(i, 0.0, radius, colour, 0.07);
     paint(i, radius - line, radius, colour, 0.8);
   }
 
   void paint_crown(std::size_t i) {
-    if (!view_.crown_radius.empty())
-      paint(i, 0.0, scale_ * view_.crown_radius[i], own_colour(i), 0.18);
+    if (view_.crown_radius.empty()) return;
+    const double radius = scale_ * view_.crown_radius[i];
+    paint(i, fills_crowns_ ? 0.0 : radius - line, radius, own_colour(i), 0.18);
   }
 
   void paint_stem(std::size_t i) {
@@ -142,7 +165,9 @@ class StandPainter {
 
   const StandView& view_;
   const PopulationParameters& parameters_;
-  double scale_;  ///< pixels per metre
+  static constexpr double line = 1.2;  ///< width of circles, pixels
+  double scale_;                       ///< pixels per metre
+  bool fills_roots_ = true, fills_crowns_ = true;
   Canvas canvas_;
   std::vector<std::size_t> order_;
 };

@@ -96,6 +96,19 @@ TEST(StandImage, ZonesOfOppressedPlantsAreRed) {
   EXPECT_TRUE(is_reddish(image.at(169, 50)));
 }
 
+TEST(StandImage, CirclesAreHollowWhereZonesLieInManyLayers) {
+  Scene scene;
+  for (int i = 0; i < 150; ++i) scene.add({50.0, 25.0}, 24.0);
+  const Image few = scene.image();
+  EXPECT_NE(few.at(70, 50), white);
+  for (int i = 0; i < 900; ++i) scene.add({50.0, 25.0}, 24.0);
+  const Image many = scene.image();
+  EXPECT_EQ(many.at(70, 50), white);
+  for (const int column : {52, 147}) EXPECT_NE(many.at(column, 50), white);  // 48 pixels out
+  EXPECT_NE(many.at(100, 2), white);
+  EXPECT_NE(many.at(100, 97), white);
+}
+
 TEST(StandImage, ZonesGoRoundATorusAndEndAtTheEdgesOfAPlot) {
   Scene scene;
   scene.add({1.0, 25.0}, 10.0);

@@ -109,7 +109,7 @@ extern const ExperimentDescriptor deaths;
 constinit const ExperimentDescriptor deaths{
     .id = "alsweis/deaths",
     .question =
-        "Do plants die more often that others compete with, and none beyond its largest age?",
+        "Do plants that others compete with die more often, and does none outlive its largest age?",
     .source = "[Alsweis] sec. 4.5",
     .seconds = {1, 1, 1},
     .run = run,

@@ -204,7 +204,7 @@ constinit const ExperimentDescriptor epidemic{
     .id = "alsweis/epidemic",
     .question = "Do healthy plants grow faster next to ill ones, the more so the worse these are?",
     .source = "[Alsweis] sec. 7.5, 7.6, figure 7.10",
-    .seconds = {1, 1, 3},
+    .seconds = {1, 1, 2},
     .run = run,
 };
 

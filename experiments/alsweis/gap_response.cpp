@@ -183,21 +183,22 @@ void record_removal(ExperimentContext& context) {
   record_paired(context, "neighbours_grow_on", without_two, with_all, "m");
 }
 
-/// Stems five times as thick as they are; neighbours of the gaps apart from the rest.
-StandPanel panel_of(const Removal& removal, const Population& population,
+/// Stems five times as thick as they are; those that gain by the deaths apart from the rest.
+StandPanel panel_of(const Removal& removal, const Population& population, const ByPlant& gain,
                     const std::string& caption) {
-  StandLayer near{.name = "neighbour within 10 m", .places = {}, .radii = {}};
+  StandLayer gaining{.name = "plant that gains by it", .places = {}, .radii = {}};
   StandLayer rest{.name = "other plant", .places = {}, .radii = {}};
   const Stand& stand = population.stand();
   for (std::size_t i = 0; i < stand.size(); ++i) {
-    StandLayer& layer = is_neighbour(removal, stand.place(i)) ? near : rest;
+    const auto own = gain.find(stand.id[i]);
+    StandLayer& layer = own != gain.end() && own->second > 0.01 ? gaining : rest;
     layer.places.push_back(stand.place(i));
     layer.radii.push_back(5.0 * stand.stem_radius[i]);
   }
   StandLayer removed{.name = "where one dies",
                      .places = removal.removed,
                      .radii = std::vector<double>(removal.removed.size(), 2.5)};
-  return {.layers = {root_zones_of(population, 0), rest, near, removed}, .caption = caption};
+  return {.layers = {root_zones_of(population, 0), rest, gaining, removed}, .caption = caption};
 }
 
 /// A part of the ground around a place, moved inside.
@@ -207,17 +208,34 @@ Rectangle surroundings(const Rectangle& ground, const Point2& place, double side
   return {low, low + Point2{side, side}};
 }
 
-/// Figure 4.11: around one of the dead, before and after. Denser than above, for more neighbours.
+/// How much larger plants are that live on, m.
+ByPlant gains(const Removal& removal) {
+  const Stand &with_all = removal.with_all.stand(), &stand = removal.without_two.stand();
+  const ByPlant control = by_plant(with_all, with_all.stem_radius);
+  ByPlant result = by_plant(stand, stand.stem_radius);
+  for (auto& [id, radius] : result) radius -= control.at(id);
+  return result;
+}
+
+/// Figure 4.11: around the plant that gains most.
 void draw_removal(ExperimentContext& context) {
-  Removal removal(400, seed_of_run(context, Question::removed_plants, 0));
-  const Rectangle part =
-      surroundings(removal.with_all.parameters().ground, removal.removed.at(0), 70.0);
-  std::vector<StandPanel> panels = {panel_of(removal, removal.with_all, "step 30")};
-  for (int step = steps_before; step < 60;) {
-    removal.step();
-    ++step;
+  constexpr int last_step = 60;
+  const std::uint64_t seed = seed_of_run(context, Question::removed_plants, 0);
+  Removal removal(150, seed), again(150, seed);
+  for (int step = steps_before; step < last_step; ++step) removal.step();
+  const ByPlant gain = gains(removal);
+  const auto most = std::max_element(
+      gain.begin(), gain.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const Stand& end = removal.without_two.stand();
+  const auto at = std::find(end.id.begin(), end.id.end(), most->first) - end.id.begin();
+  const Rectangle part = surroundings(removal.with_all.parameters().ground,
+                                      end.place(static_cast<std::size_t>(at)), 70.0);
+
+  std::vector<StandPanel> panels = {panel_of(again, again.with_all, gain, "step 30")};
+  for (int step = steps_before + 1; step <= last_step; ++step) {
+    again.step();
     if (step % steps_after == 0)
-      panels.push_back(panel_of(removal, removal.without_two, fmt::format("step {}", step)));
+      panels.push_back(panel_of(again, again.without_two, gain, fmt::format("step {}", step)));
   }
   context.artifact("figure-4.11.svg",
                    stand_panels_svg({.ground = part}, panels,

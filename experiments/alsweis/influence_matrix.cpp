@@ -222,7 +222,7 @@ constinit const ExperimentDescriptor influence_matrix{
     .id = "alsweis/influence-matrix",
     .question = "Do large meadow plants form groups in which small plants die?",
     .source = "[Alsweis] sec. 5.6, figure 5.8",
-    .seconds = {1, 1, 3},
+    .seconds = {1, 1, 4},
     .run = run,
 };
 

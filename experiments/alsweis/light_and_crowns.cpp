@@ -200,7 +200,7 @@ constinit const ExperimentDescriptor light_and_crowns{
     .id = "alsweis/light-and-crowns",
     .question = "Do small plants grow below an open tree, and not below a dense one?",
     .source = "[Alsweis] sec. 7.2, 7.6, figures 7.6 and 7.7",
-    .seconds = {1, 1, 3},
+    .seconds = {1, 1, 4},
     .run = run,
 };
 

@@ -198,7 +198,8 @@ void draw_stands(ExperimentContext& context) {
                                       .crown_radius = {}},
                                      title));
   };
-  draw("figure-4.6.svg", "Figure 4.6: nutrients from I (white) to VI (dark), 100 plants as sown");
+  draw("figure-4.6.svg",
+       "Figure 4.6: nutrients from I (left, most) to VI (least), 100 plants as sown");
   for (const int moment : {40, 80}) {
     while (population.state().step < moment) population.step();
     draw(fmt::format("figure-4.7-step-{}.svg", moment),

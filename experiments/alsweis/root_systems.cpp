@@ -197,7 +197,7 @@ constinit const ExperimentDescriptor root_systems{
     .id = "alsweis/root-systems",
     .question = "Do deeply rooted plants outgrow flatly rooted ones in whole stands?",
     .source = "[Alsweis] sec. 7.3, 7.6, figure 7.8",
-    .seconds = {1, 1, 3},
+    .seconds = {1, 1, 4},
     .run = run,
 };
 

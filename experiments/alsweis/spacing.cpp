@@ -198,7 +198,7 @@ constinit const ExperimentDescriptor spacing{
     .id = "alsweis/spacing",
     .question = "Do plants stand closer together, and stay smaller, if competition is symmetric?",
     .source = "[Alsweis] sec. 5.2, figure 5.2",
-    .seconds = {1, 1, 3},
+    .seconds = {1, 1, 2},
     .run = run,
 };
 

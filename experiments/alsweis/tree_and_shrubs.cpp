@@ -2,6 +2,7 @@
 // The scene of figure 5.7: a tree, shrubs, meadow and flowers on 60 m x 60 m. What the tree does to
 // the shrubs around it, whether by its roots or by its crown, and how numbers fall.
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -119,8 +120,9 @@ void record_near(ExperimentContext& context) {
   }
 }
 
-/// Mean loss of the shrubs that stand within the tree's roots now, from the tree alone.
-double loss_from_tree(const Population& population, const Reach& reach) {
+/// Mean loss of the shrubs that stand within the tree's roots now, from the tree alone; nothing if
+/// there are none.
+std::optional<double> loss_from_tree(const Population& population, const Reach& reach) {
   PopulationParameters alone = tree_with_shrubs(reach, 0);
   constexpr std::size_t shrub_on_shrub = 3;
   alone.competition.influence_above[shrub_on_shrub] = Influence::none;
@@ -133,7 +135,8 @@ double loss_from_tree(const Population& population, const Reach& reach) {
   RunningMoments inside;
   for (const std::size_t i : order_of_ids(stand))
     if (stand.id[i] != 0 && norm(stand.place(i) - the_tree.place) < zone) inside.add(loss[i]);
-  return inside.count() > 0 ? inside.mean() : 0.0;
+  if (inside.count() == 0) return std::nullopt;
+  return inside.mean();
 }
 
 /// The start, and the last step before a shrub can die.
@@ -141,7 +144,7 @@ constexpr std::array<int, 2> early = {0, 4};
 
 /// Loss from the tree in one plot, by moment.
 struct PartsOfLoss {
-  std::array<double, early.size()> by_roots{}, by_crown{};
+  std::array<std::optional<double>, early.size()> by_roots, by_crown;
 };
 
 PartsOfLoss parts_of_loss(std::uint64_t seed) {
@@ -165,8 +168,9 @@ void record_parts_of_loss(ExperimentContext& context) {
   for (std::size_t m = 0; m < early.size(); ++m) {
     std::vector<double> by_roots, by_crown;
     for (const PartsOfLoss& parts : plots) {
-      by_roots.push_back(parts.by_roots[m]);
-      by_crown.push_back(parts.by_crown[m]);
+      if (!parts.by_roots[m]) continue;
+      by_roots.push_back(*parts.by_roots[m]);
+      by_crown.push_back(*parts.by_crown[m]);
     }
     const std::string group = fmt::format("loss-from-tree/step-{}", early[m]);
     record_mean(context, group + "/by_roots", by_roots);
@@ -276,7 +280,7 @@ constinit const ExperimentDescriptor tree_and_shrubs{
     .id = "alsweis/tree-and-shrubs",
     .question = "Are shrubs sparser and slower near a tree, and is it by its roots or its crown?",
     .source = "[Alsweis] sec. 5.5, figure 5.7",
-    .seconds = {1, 1, 4},
+    .seconds = {1, 2, 6},
     .run = run,
 };
 

@@ -26,6 +26,8 @@ double equation_4_8(const std::vector<double>& values, int n, bool as_printed) {
 struct LiteralStand::Meeting {
   const LiteralPlant& own;
   const LiteralPlant& other;
+  double root_i, root_j;  // radii of the zones
+  double crown_i, crown_j;
   double distance;
   double of_equals;  // what i loses of the overlap where the circles are equal
 };
@@ -57,14 +59,17 @@ double LiteralStand::crown_radius(const LiteralPlant& plant) const {
 template <class Use>
 void LiteralStand::for_images(std::size_t i, const Use& use) const {
   const int reach_x = model_.period_x > 0.0 ? 1 : 0, reach_y = model_.period_y > 0.0 ? 1 : 0;
+  const double root_i = root_radius(plants_[i]), crown_i = crown_radius(plants_[i]);
   for (std::size_t j = 0; j < plants_.size(); ++j) {
     if (j == i || plants_[j].is_dead) continue;
+    const double root_j = root_radius(plants_[j]), crown_j = crown_radius(plants_[j]);
     const double of_equals = !model_.lower_wins ? 0.5 : i < j ? 0.0 : 1.0;
     for (int kx = -reach_x; kx <= reach_x; ++kx)
       for (int ky = -reach_y; ky <= reach_y; ++ky) {
         const double dx = plants_[j].x + kx * model_.period_x - plants_[i].x;
         const double dy = plants_[j].y + ky * model_.period_y - plants_[i].y;
-        use(Meeting{plants_[i], plants_[j], std::sqrt(dx * dx + dy * dy), of_equals});
+        use(Meeting{plants_[i], plants_[j], root_i, root_j, crown_i, crown_j,
+                    std::sqrt(dx * dx + dy * dy), of_equals});
       }
   }
 }
@@ -73,7 +78,7 @@ void LiteralStand::for_images(std::size_t i, const Use& use) const {
 double LiteralStand::loss_by_one_zone(std::size_t i) const {
   double sum = 0.0;
   for_images(i, [&](const Meeting& meeting) {
-    const double r_i = root_radius(meeting.own), r_j = root_radius(meeting.other);
+    const double r_i = meeting.root_i, r_j = meeting.root_j;
     const double f_i = disc_area_of(r_i), f_j = disc_area_of(r_j);
     const double gamma = equation_a4_corrected(r_i, r_j, meeting.distance);
     const double alpha = model_.as_printed.gain_as_loss
@@ -91,7 +96,7 @@ double LiteralStand::sign_of(const std::vector<int>& signs, const Meeting& meeti
 
 // (5.1), (7.3), (7.4): one neighbour below ground.
 double LiteralStand::sigma_of(const Meeting& meeting) const {
-  const double r_i = root_radius(meeting.own), r_j = root_radius(meeting.other);
+  const double r_i = meeting.root_i, r_j = meeting.root_j;
   const double A_i = disc_area_of(r_i);
   double sigma = equation_5_1(equation_a4_corrected(r_i, r_j, meeting.distance), A_i);
   if (model_.has_roots) {
@@ -120,7 +125,7 @@ double LiteralStand::beta_of(const Meeting& meeting, double A_i, double A_j, dou
 
 // (5.2) to (5.4), or (7.1) and (7.2): one neighbour above ground.
 double LiteralStand::alpha_of(const Meeting& meeting) const {
-  const double r_i = crown_radius(meeting.own), r_j = crown_radius(meeting.other);
+  const double r_i = meeting.crown_i, r_j = meeting.crown_j;
   const double A_i = disc_area_of(r_i), A_j = disc_area_of(r_j);
   const double gamma = equation_a4_corrected(r_i, r_j, meeting.distance);
   const int F = zone_index_F(meeting.distance, r_i, r_j);
