@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/competition/pair_search.hpp"
 #include "core/competition/zone_laws.hpp"
@@ -13,22 +15,47 @@ namespace phytobench {
 
 namespace detail {
 
-/// Plants belong to threads by blocks of neighbouring indices, turn by turn: wherever pairs are,
-/// all threads have some.
-constexpr std::size_t owned_block_bits = 10;
+/// Which thread adds up the losses of a plant. Blocks of neighbouring indices belong to the threads
+/// in turn: wherever pairs are, all threads have some.
+class PlantOwners {
+ public:
+  PlantOwners(std::size_t plants, int threads) : threads_(std::max(threads, 1)) {
+    of_block_.resize((plants >> block_bits) + 1);
+    for (std::size_t block = 0; block < of_block_.size(); ++block)
+      of_block_[block] = static_cast<std::uint16_t>(block % static_cast<std::size_t>(threads_));
+  }
 
-/// Adds what pairs cost the plants of one owner among several, in the order of the pairs.
+  int threads() const { return threads_; }
+  std::size_t of(std::size_t plant) const { return of_block_[plant >> block_bits]; }
+
+ private:
+  static constexpr int block_bits = 10;
+  int threads_;
+  std::vector<std::uint16_t> of_block_;  ///< a look-up costs less than a division
+};
+
+/// Adds what pairs cost all plants, in the order of the pairs.
 template <class Law>
-void add_losses_of_owner(const OverlapPairs& pairs, std::size_t owner, std::size_t owners,
+void add_losses(const OverlapPairs& pairs, std::span<double> lost, const Law& law) {
+  const auto first = pairs.first(), second = pairs.second();
+  const auto area = pairs.area();
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto i = static_cast<std::size_t>(first[k]), j = static_cast<std::size_t>(second[k]);
+    const PairLosses losses = law(i, j, area[k]);
+    lost[i] += losses.first;
+    lost[j] += losses.second;
+  }
+}
+
+/// The same for the plants of one owner among several.
+template <class Law>
+void add_losses_of_owner(const OverlapPairs& pairs, const PlantOwners& owners, std::size_t owner,
                          std::span<double> lost, const Law& law) {
   const auto first = pairs.first(), second = pairs.second();
   const auto area = pairs.area();
-  const auto is_own = [&](std::size_t plant) {
-    return owners == 1 || (plant >> owned_block_bits) % owners == owner;
-  };
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto i = static_cast<std::size_t>(first[k]), j = static_cast<std::size_t>(second[k]);
-    const bool has_i = is_own(i), has_j = is_own(j);
+    const bool has_i = owners.of(i) == owner, has_j = owners.of(j) == owner;
     if (!has_i && !has_j) continue;
     const PairLosses losses = law(i, j, area[k]);
     if (has_i) lost[i] += losses.first;
@@ -46,11 +73,15 @@ template <class Law>
 void sum_pair_losses(PairSearch& search, const Discs& zone, const Ground& ground,
                      std::span<double> lost, const Law& law) {
   std::fill(lost.begin(), lost.end(), 0.0);
-  const auto owners = static_cast<std::size_t>(std::max(search.threads(), 1));
+  const detail::PlantOwners owners(lost.size(), search.threads());
   search.for_each_part(zone, ground, [&](std::span<const OverlapPairs> pieces) {
-    for_tasks(owners, search.threads(), [&](std::size_t owner) {
+    if (owners.threads() == 1) {
+      for (const OverlapPairs& piece : pieces) detail::add_losses(piece, lost, law);
+      return;
+    }
+    for_tasks(static_cast<std::size_t>(owners.threads()), owners.threads(), [&](std::size_t owner) {
       for (const OverlapPairs& piece : pieces)
-        detail::add_losses_of_owner(piece, owner, owners, lost, law);
+        detail::add_losses_of_owner(piece, owners, owner, lost, law);
     });
   });
 }

@@ -29,15 +29,15 @@ CompetitionParameters with_traits(const PopulationParameters& parameters) {
   return competition;
 }
 
-std::vector<double> zone_radii(const PopulationParameters& parameters, const Stand& stand,
-                               ZoneLaw Species::*zone, const ResourceMap& resource, int threads) {
-  std::vector<double> radii(stand.size());
+void find_zone_radii(const PopulationParameters& parameters, const Stand& stand,
+                     ZoneLaw Species::*zone, const ResourceMap& resource, int threads,
+                     std::vector<double>& radii) {
+  radii.resize(stand.size());
   for_blocks(stand.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       radii[i] = zone_radius(parameters.species[stand.species[i]].*zone, stand.stem_radius[i],
                              resource.at(stand.place(i)));
   });
-  return radii;
 }
 
 /// A zone that meets itself round the torus has no overlap that rules know.
@@ -71,11 +71,16 @@ Population::Population(PopulationParameters parameters, PopulationState state,
 }
 
 std::vector<double> Population::root_radii() const {
-  return zone_radii(parameters_, state_.stand, &Species::roots, parameters_.nutrients, threads_);
+  std::vector<double> radii;
+  find_zone_radii(parameters_, state_.stand, &Species::roots, parameters_.nutrients, threads_,
+                  radii);
+  return radii;
 }
 
 std::vector<double> Population::crown_radii() const {
-  return zone_radii(parameters_, state_.stand, &Species::crown, parameters_.light, threads_);
+  std::vector<double> radii;
+  find_zone_radii(parameters_, state_.stand, &Species::crown, parameters_.light, threads_, radii);
+  return radii;
 }
 
 std::vector<double> Population::losses() {
@@ -95,10 +100,12 @@ void Population::step() {
 
 void Population::assess() {
   const Stand& stand = state_.stand;
-  root_radius_ = root_radii();
+  find_zone_radii(parameters_, stand, &Species::roots, parameters_.nutrients, threads_,
+                  root_radius_);
   check_zones(parameters_, root_radius_, "root");
   if (reads_above_) {
-    crown_radius_ = crown_radii();
+    find_zone_radii(parameters_, stand, &Species::crown, parameters_.light, threads_,
+                    crown_radius_);
     check_zones(parameters_, crown_radius_, "crown");
   }
   update_weakening();
@@ -117,8 +124,11 @@ void Population::assess() {
 void Population::update_weakening() {
   const std::vector<std::int32_t>& ill_since = state_.stand.ill_since;
   weakening_.clear();
-  if (std::all_of(ill_since.begin(), ill_since.end(),
-                  [](std::int32_t since) { return since == healthy; }))
+  const bool can_be_ill =
+      std::any_of(parameters_.events.begin(), parameters_.events.end(),
+                  [](const PopulationEvent& event) { return event.kind == EventKind::disease; });
+  if (!can_be_ill || std::all_of(ill_since.begin(), ill_since.end(),
+                                 [](std::int32_t since) { return since == healthy; }))
     return;
   const double duration = parameters_.illness.duration;
   weakening_.resize(ill_since.size(), 0.0);
@@ -131,6 +141,8 @@ void Population::grow() {
   Stand& stand = state_.stand;
   std::vector<float>& recent =
       state_.recent_growth[static_cast<std::size_t>(state_.step) % state_.recent_growth.size()];
+  is_dead_.resize(stand.size());
+  // Death follows in the same pass: what it reads is then at hand.
   for_blocks(stand.size(), threads_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Species& species = parameters_.species[stand.species[i]];
@@ -141,16 +153,14 @@ void Population::grow() {
       recent[i] = static_cast<float>(next - radius);
       stand.stem_radius[i] = next;
       ++stand.age[i];
+      is_dead_[i] = dies(state_, parameters_, i) ? 1 : 0;
     }
   });
 }
 
 void Population::remove_dead() {
-  std::vector<std::uint8_t> is_dead(state_.stand.size(), 0);
-  for_blocks(is_dead.size(), threads_, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) is_dead[i] = dies(state_, parameters_, i) ? 1 : 0;
-  });
-  if (std::find(is_dead.begin(), is_dead.end(), 1) != is_dead.end()) remove_plants(state_, is_dead);
+  if (std::find(is_dead_.begin(), is_dead_.end(), 1) != is_dead_.end())
+    remove_plants(state_, is_dead_);
 }
 
 }  // namespace phytobench

@@ -66,6 +66,7 @@ class Population {
   bool reads_above_ = false;
   int threads_;
   std::vector<double> root_radius_, crown_radius_, weakening_, loss_;  ///< of the current step
+  std::vector<std::uint8_t> is_dead_;
 };
 
 }  // namespace phytobench

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/population/reproduction.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -47,6 +48,7 @@ class SeedYear {
     const SpeciesIndex index = stand.species[i];
     const Species& species = parameters_.species[index];
     const ReproductionParameters& p = species.reproduction;
+    if (!(stand.stem_radius[i] > p.threshold)) return;
     const SeedProduction production{p.threshold, p.seeds_per_metre, species.largest_radius};
     const double mean = production.expected_seeds(stand.stem_radius[i]);
     if (!(mean > 0.0)) return;
@@ -112,6 +114,10 @@ bool is_bad_year(const PopulationParameters& parameters, std::int32_t step) {
 }
 
 void reproduce(PopulationState& state, const PopulationParameters& parameters) {
+  const bool bears_any = std::any_of(
+      parameters.species.begin(), parameters.species.end(),
+      [](const Species& species) { return std::isfinite(species.reproduction.threshold); });
+  if (!bears_any && state.seeds.empty()) return;
   SeedYear year(state, parameters);
   year.wake_resting();
   year.shed_fresh();

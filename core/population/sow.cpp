@@ -50,6 +50,10 @@ PopulationState sow(const PopulationParameters& parameters, std::span<const Star
   state.recent_growth.resize(static_cast<std::size_t>(parameters.mortality.window));
   state.born.assign(parameters.species.size(), 0);
   state.died.assign(parameters.species.size(), 0);
+  std::size_t count = plants.size();
+  for (const Species& species : parameters.species)
+    count += static_cast<std::size_t>(species.count);
+  reserve_plants(state, count);
   for (std::size_t i = 0; i < plants.size(); ++i) {
     check_plant(parameters, plants[i], i);
     add_plant(state, plants[i].place, plants[i].stem_radius, plants[i].species);

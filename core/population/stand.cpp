@@ -58,6 +58,10 @@ std::uint32_t place_code(const Point2& place, const Rectangle& ground) {
 
 }  // namespace
 
+void reserve_plants(PopulationState& state, std::size_t count) {
+  for_each_array(state, [count](auto& values) { values.reserve(count); });
+}
+
 void add_plant(PopulationState& state, const Point2& place, double stem_radius,
                SpeciesIndex species) {
   PHYTOBENCH_EXPECT(species < state.born.size());
@@ -93,6 +97,7 @@ void order_by_place(PopulationState& state, const Rectangle& ground) {
   std::vector<std::uint32_t> order(stand.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), before);
+  std::vector<std::uint32_t>().swap(code);
   for_each_array(state, [&](auto& values) { reorder(values, order); });
 }
 

@@ -51,6 +51,9 @@ struct PopulationState {
   std::vector<std::uint64_t> born, died;
 };
 
+/// Room for that many plants: growing step by step leaves holes as large as the stand in memory.
+void reserve_plants(PopulationState& state, std::size_t count);
+
 /// One plant more, of age 0, healthy, with the next id. `species` must be known to `born`.
 void add_plant(PopulationState& state, const Point2& place, double stem_radius,
                SpeciesIndex species);
