@@ -83,19 +83,22 @@ std::vector<double> Population::crown_radii() const {
   return radii;
 }
 
-std::vector<double> Population::losses() {
-  assess();
+const std::vector<double>& Population::losses() {
+  if (!is_assessed_) assess();
   return loss_;
 }
 
 void Population::step() {
-  if (state_.step % steps_between_orders == 0) order_by_place(state_, parameters_.ground);
-  apply_events(state_, parameters_);
-  assess();
+  if (state_.step % steps_between_orders == 0 && order_by_place(state_, parameters_.ground))
+    is_assessed_ = false;
+  if (apply_events(state_, parameters_)) is_assessed_ = false;
+  losses();
+  pairs_found_ += pairs_now_;
   grow();
   remove_dead();
   reproduce(state_, parameters_);
   ++state_.step;
+  is_assessed_ = false;
 }
 
 void Population::assess() {
@@ -118,7 +121,10 @@ void Population::assess() {
                                .id = stand.id};
   Ground ground;
   if (parameters_.is_torus) ground.torus = parameters_.ground;
+  const std::uint64_t before = search_.pairs_found();
   rule_->assess(plants, ground, search_, loss_);
+  pairs_now_ = search_.pairs_found() - before;
+  is_assessed_ = true;
 }
 
 void Population::update_weakening() {

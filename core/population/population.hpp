@@ -43,15 +43,15 @@ class Population {
   /// Throws InputError where the population grows beyond parameters().most_plants.
   void step();
 
-  /// phi of every plant as it stands now, in the stand's order.
-  std::vector<double> losses();
+  /// phi of every plant as it stands now, in the stand's order. The next step need not find them
+  /// again.
+  const std::vector<double>& losses();
   /// Radii of the zones as they are now, in the stand's order.
   std::vector<double> root_radii() const;
   std::vector<double> crown_radii() const;
 
-  /// Over all steps of this object: pairs of overlapping zones.
-  std::uint64_t pairs_found() const { return search_.pairs_found(); }
-  std::uint64_t candidates() const { return search_.candidates(); }
+  /// Pairs of overlapping zones over all steps of this object.
+  std::uint64_t pairs_found() const { return pairs_found_; }
 
  private:
   void assess();
@@ -64,8 +64,11 @@ class Population {
   PairSearch search_;
   std::unique_ptr<CompetitionRule> rule_;
   bool reads_above_ = false;
+  bool is_assessed_ = false;  ///< loss_ belongs to the state as it is
+  std::uint64_t pairs_now_ = 0;
+  std::uint64_t pairs_found_ = 0;
   int threads_;
-  std::vector<double> root_radius_, crown_radius_, weakening_, loss_;  ///< of the current step
+  std::vector<double> root_radius_, crown_radius_, weakening_, loss_;  ///< when last assessed
   std::vector<std::uint8_t> is_dead_;
 };
 

@@ -57,9 +57,11 @@ std::vector<std::size_t> plants_selected(const PopulationState& state,
   return plants;
 }
 
-void apply_events(PopulationState& state, const PopulationParameters& parameters) {
+bool apply_events(PopulationState& state, const PopulationParameters& parameters) {
+  bool is_any = false;
   for (std::size_t number = 0; number < parameters.events.size(); ++number) {
     if (parameters.events[number].step != state.step) continue;
+    is_any = true;
     const std::vector<std::size_t> plants = plants_selected(state, parameters, number);
     if (parameters.events[number].kind == EventKind::disease) {
       for (const std::size_t i : plants)
@@ -70,6 +72,7 @@ void apply_events(PopulationState& state, const PopulationParameters& parameters
       remove_plants(state, is_out);
     }
   }
+  return is_any;
 }
 
 }  // namespace phytobench

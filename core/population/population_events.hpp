@@ -15,6 +15,7 @@ std::vector<std::size_t> plants_selected(const PopulationState& state,
                                          std::size_t number);
 
 /// Carries out all events of the step that is about to be done: plants fall ill, or are taken out.
-void apply_events(PopulationState& state, const PopulationParameters& parameters);
+/// False if there are none.
+bool apply_events(PopulationState& state, const PopulationParameters& parameters);
 
 }  // namespace phytobench

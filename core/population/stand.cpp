@@ -84,7 +84,7 @@ void remove_plants(PopulationState& state, const std::vector<std::uint8_t>& is_o
   for_each_array(state, [&](auto& values) { keep_only(values, is_out); });
 }
 
-void order_by_place(PopulationState& state, const Rectangle& ground) {
+bool order_by_place(PopulationState& state, const Rectangle& ground) {
   const Stand& stand = state.stand;
   std::vector<std::uint32_t> code(stand.size());
   for (std::size_t i = 0; i < code.size(); ++i) code[i] = place_code(stand.place(i), ground);
@@ -93,12 +93,13 @@ void order_by_place(PopulationState& state, const Rectangle& ground) {
   };
   bool is_ordered = true;
   for (std::size_t i = 1; i < code.size() && is_ordered; ++i) is_ordered = before(i - 1, i);
-  if (is_ordered) return;
+  if (is_ordered) return false;
   std::vector<std::uint32_t> order(stand.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), before);
   std::vector<std::uint32_t>().swap(code);
   for_each_array(state, [&](auto& values) { reorder(values, order); });
+  return true;
 }
 
 std::vector<std::size_t> order_of_ids(const Stand& stand) {

@@ -62,8 +62,8 @@ void add_plant(PopulationState& state, const Point2& place, double stem_radius,
 void remove_plants(PopulationState& state, const std::vector<std::uint8_t>& is_out);
 
 /// Puts plants that are near on the ground near in memory: overlaps are then found several times as
-/// fast. Depends on places and ids only.
-void order_by_place(PopulationState& state, const Rectangle& ground);
+/// fast. Depends on places and ids only. False if they were in that order.
+bool order_by_place(PopulationState& state, const Rectangle& ground);
 
 /// Positions in the stand in the order of ids.
 std::vector<std::size_t> order_of_ids(const Stand& stand);
