@@ -112,8 +112,9 @@ struct CompetitionRaceOptions {
 int race_competition(const CompetitionRaceOptions& options);
 
 struct OverlapOptions {
-  std::string discs;   ///< CSV file
-  std::string window;  ///< x0,y0,x1,y1; empty: the open plane
+  std::string discs;         ///< CSV file
+  std::string radius = "r";  ///< its column of radii
+  std::string window;        ///< x0,y0,x1,y1; empty: the open plane
   bool torus = false;
   std::string engine = "layered_grid";
   int threads = 1;

@@ -7,15 +7,14 @@
 #include "cli/compete_findings.hpp"
 #include "cli/compete_folder.hpp"
 #include "cli/compete_output.hpp"
+#include "cli/compete_start.hpp"
 #include "cli/terminal.hpp"
 #include "core/competition/competition_registry.hpp"
 #include "core/contract/errors.hpp"
 #include "core/memory/keep_freed_memory.hpp"
 #include "core/overlap/overlap_registry.hpp"
-#include "core/population/plants_file.hpp"
 #include "core/population/population_file.hpp"
 #include "core/population/stand_picture.hpp"
-#include "reference/stand_presets.hpp"
 
 namespace phytobench::cli {
 
@@ -24,15 +23,7 @@ namespace {
 constexpr int picture_side = 1000;  // pixels
 constexpr std::int32_t usual_checkpoint = 100;
 constexpr std::size_t most_plants_with_pattern = 20'000;  // unless asked for: it takes time
-
-/// What a run starts from.
-struct CompeteStart {
-  std::string parameter_file;  ///< its text
-  PopulationParameters parameters;
-  std::vector<StartPlant> plants;
-  std::vector<Setting> settings;
-  std::vector<std::uint64_t> count;  ///< plants by species
-};
+constexpr std::size_t fewest_plants_with_pattern = 10;    // of fewer, indices are chance
 
 void check_options(const CompeteOptions& options) {
   if (options.config.empty() == options.preset.empty())
@@ -53,50 +44,13 @@ void check_options(const CompeteOptions& options) {
     throw InputError("--frame-format " + options.frame_format + ": give png or svg");
 }
 
-/// All that the files of a run depend on, beside the number of steps.
-std::vector<Setting> settings_of_run(const CompeteOptions& options, const CompeteStart& start) {
-  std::vector<Setting> settings = settings_of(start.parameters);
-  std::string plants;
-  for (const StartPlant& plant : start.plants)
-    plants += fmt::format("{} {} {} {}\n", plant.place.x, plant.place.y, plant.stem_radius,
-                          plant.species);
-  settings.push_back({"plants to start with",
-                      fmt::format("{}, digest {:016x}", start.plants.size(), digest(plants))});
-  // Another engine hands over pairs in another order, and sums over them round otherwise.
-  settings.push_back({"--engine", options.engine});
-  settings.push_back({"--every", fmt::to_string(options.every.value_or(1))});
-  settings.push_back({"--frames", fmt::to_string(options.frames)});
-  if (options.frames > 0) settings.push_back({"--frame-format", options.frame_format});
-  return settings;
-}
-
-CompeteStart read_start(const CompeteOptions& options) {
-  std::filesystem::path file = options.config;
-  if (!options.preset.empty()) file = stand_preset_file(options.preset);
-  CompeteStart start;
-  start.parameter_file = read_text_file(file);
-  PopulationFile read = parse_population(start.parameter_file, file);
-  start.parameters = std::move(read.parameters);
-  if (options.steps) start.parameters.steps = *options.steps;
-  if (options.seed) start.parameters.seed = *options.seed;
-  if (!options.rule.empty()) start.parameters.rule = competition_rule_named(options.rule).name;
-  check_parameters(start.parameters);
-  if (!options.plants.empty()) read.plants = options.plants;
-  if (!read.plants.empty()) start.plants = read_plants_file(read.plants, start.parameters);
-  start.settings = settings_of_run(options, start);
-  for (const Species& species : start.parameters.species)
-    start.count.push_back(static_cast<std::uint64_t>(species.count));
-  for (const StartPlant& plant : start.plants) ++start.count[plant.species];
-  return start;
-}
-
 class CompeteRun {
  public:
   CompeteRun(const CompeteOptions& options, const CompeteStart& start)
       : options_(options), start_(start), reads_above_(reads_crowns(start.parameters)) {
     if (!options.out.empty())
-      folder_.emplace(options.out, start.settings,
-                      FrameFiles{options.frames, options.frame_format});
+      folder_.emplace(options.out, start.settings, FrameFiles{options.frames, options.frame_format},
+                      start.inputs);
     CompeteProgress progress = begun();
     pairs_ = progress.pairs;
     population_.emplace(start.parameters, std::move(progress.state),
@@ -130,7 +84,8 @@ class CompeteRun {
     std::vector<std::string> names;
     for (const Species& species : start_.parameters.species) names.push_back(species.name);
     files.push_back({"curves.svg", curves_of(folder_->finished_steps(), names)});
-    findings.files = {"parameters.toml", "steps.csv"};
+    for (const FileContent& file : start_.inputs) findings.files.push_back(file.file.string());
+    findings.files.push_back("steps.csv");
     for (const FileContent& file : files) findings.files.push_back(file.file.string());
     findings.files.push_back("summary.json");
     if (options_.frames > 0) findings.files.push_back("frames/");
@@ -148,9 +103,9 @@ class CompeteRun {
   bool is_at_end() const { return state().step >= start_.parameters.steps; }
 
   CompeteProgress begun() {
-    if (options_.resume) return folder_->resume(start_.parameter_file, start_.parameters.steps);
+    if (options_.resume) return folder_->resume(start_.parameters.steps);
     CompeteProgress progress{.state = sow(start_.parameters, start_.plants)};
-    if (folder_) folder_->begin(start_.parameter_file, progress);
+    if (folder_) folder_->begin(progress);
     return progress;
   }
 
@@ -192,7 +147,9 @@ class CompeteRun {
                              .pattern = {},
                              .pairs = pairs_,
                              .files = {}};
-    if (!options_.statistics && state().stand.size() > most_plants_with_pattern) return findings;
+    const std::size_t plants = state().stand.size();
+    if (plants < fewest_plants_with_pattern) return findings;
+    if (!options_.statistics && plants > most_plants_with_pattern) return findings;
     show_progress("finding the pattern of the stand");
     findings.pattern = stand_pattern(state().stand, start_.parameters.ground,
                                      start_.parameters.is_torus, options_.threads);

@@ -158,11 +158,53 @@ TEST_F(CompeteCommand, TakesStandsThatDieOut) {
   const json d = document("doomed.toml --out run --frames 1 --frame-format svg");
   EXPECT_EQ(d["all"]["alive"], 0);
   EXPECT_TRUE(d["all"]["gini"].is_null());
-  EXPECT_TRUE(d["pattern"]["hopkins"].is_null());
+  EXPECT_TRUE(d["pattern"].is_null());
   EXPECT_THAT(lines_of(read("run/steps.csv")).back(), HasSubstr("all,0,0,9,0,NaN,0,NaN,NaN,0"));
   EXPECT_EQ(line_count(read("run/plants.csv")), 1);
-  write("empty.toml", "steps = 0\n[[species]]\nname = \"none\"\n");
-  EXPECT_TRUE(document("empty.toml --out empty")["pairs_per_step"].is_null());
+  EXPECT_TRUE(document("doomed.toml --steps 0")["pairs_per_step"].is_null());
+}
+
+TEST_F(CompeteCommand, RefusesToStartWithoutAPlant) {
+  write("empty.toml", "[[species]]\nname = \"none\"\n");
+  for (const char* more : {"", " --steps 0", " --out run"})
+    expect_refused_line(std::string("compete empty.toml") + more,
+                        "empty.toml: the stand has no plant to start with");
+  EXPECT_FALSE(exists("run"));
+  EXPECT_EQ(document("empty.toml --steps 1 --plants " +
+                     file("one.csv", "x,y,radius\n1,1,0.1\n"))["all"]["alive"],
+            1);
+}
+
+TEST_F(CompeteCommand, LeavesOutWhatFewPlantsCannotShow) {
+  const auto of = [&](int count) {
+    write("few.toml", "steps = 0\n[[species]]\nname = \"a\"\ncount = " + std::to_string(count) +
+                          "\n[[species]]\nname = \"b\"\ncount = 1\n");
+    return document("few.toml");
+  };
+  EXPECT_TRUE(of(8)["pattern"].is_null());
+  EXPECT_EQ(run_line("compete few.toml --statistics").out.find("Clark-Evans"), std::string::npos);
+  EXPECT_GT(of(9)["pattern"]["hopkins"].get<double>(), 0.0);
+  EXPECT_THAT(run_line("compete few.toml").out, HasSubstr("Clark-Evans"));
+  const json d = of(2);
+  EXPECT_TRUE(d["species"][1]["gini"].is_null());
+  EXPECT_GT(d["species"][0]["gini"].get<double>(), 0.0);
+  EXPECT_GT(d["all"]["gini"].get<double>(), 0.0);
+}
+
+TEST_F(CompeteCommand, CurvesTellSpeciesAndAllApart) {
+  document("lively.toml --out run --steps 6");
+  const std::string svg = read("run/curves.svg");
+  for (const char* part : {">Plants (dashed: all)<", ">Inequality of basal area (dashed: all)<",
+                           ">Mean stem radius<", ">radius, m<", ">annual<", ">shrub<", ">0<"})
+    EXPECT_THAT(svg, HasSubstr(part));
+  EXPECT_THAT(svg, HasSubstr("stroke=\"currentColor\" stroke-width=\"1.8\" stroke-dasharray"));
+  write("pair.toml", "steps = 10\n[[species]]\nname = \"only\"\ncount = 1\n");
+  document("pair.toml --out pair");
+  const std::string few = read("pair/curves.svg");
+  EXPECT_THAT(few, testing::Not(HasSubstr("Inequality of basal area<")));
+  EXPECT_THAT(few, testing::Not(HasSubstr("dashed")));
+  for (const char* tick : {">1<", ">2<", ">3<", ">4<"}) EXPECT_THAT(few, HasSubstr(tick));
+  EXPECT_THAT(few, testing::Not(HasSubstr(">0.5<")));
 }
 
 TEST_F(CompeteCommand, ThePatternOfManyPlantsOnlyOnDemand) {
@@ -184,6 +226,7 @@ TEST_F(CompeteCommand, RefusesWrongInput) {
   expect_refused_line("compete", "compete --example");
   expect_refused_line("compete absent.toml", "absent.toml: no such file");
   expect_refused_line("compete --preset disese", "did you mean 'disease'");
+  expect_refused_line("compete --preset foo", "see phytobench list stands");
   with("--preset disease", "not both");
   with("--rule mixtur", "did you mean 'mixture'");
   with("--engine sweeep", "unknown engine");

@@ -11,6 +11,7 @@
 #include "core/contract/check.hpp"
 #include "core/picture/curve_svg.hpp"
 #include "core/population/mortality.hpp"
+#include "core/population/stand_look.hpp"
 
 namespace phytobench::cli {
 
@@ -39,6 +40,66 @@ double number_in(std::string_view field) {
   return value;
 }
 
+/// Curves of some columns of steps.csv: solid by species, in their colours; dashed, in the text's,
+/// for all.
+class StandCurves {
+ public:
+  explicit StandCurves(const std::vector<std::string>& species) {
+    // Of one species alone "all" says nothing more.
+    const bool has_all = species.size() > 1;
+    const char* captions[] = {"Plants", "Inequality of basal area", "Mean stem radius"};
+    const char* labels[] = {"plants alive", "Gini coefficient", "radius, m"};
+    for (std::size_t p = 0; p < std::size(columns); ++p) {
+      CurvePanel panel{
+          .curves = {}, .caption = captions[p], .x_label = "step", .y_label = labels[p]};
+      for (std::size_t k = 0; k < species.size(); ++k)
+        panel.curves.push_back({.name = species[k],
+                                .x = {},
+                                .y = {},
+                                .style = k < species_hues ? CurveStyle::solid : CurveStyle::dotted,
+                                .colour = curve_colour(k)});
+      if (has_all && p != radius) {
+        panel.curves.push_back({.name = "", .x = {}, .y = {}, .style = CurveStyle::dashed});
+        panel.caption += " (dashed: all)";
+      }
+      panels_.push_back(std::move(panel));
+    }
+  }
+
+  /// One line of steps.csv; `k` is the species, or their number for all.
+  void add(std::size_t k, const std::vector<std::string_view>& fields) {
+    for (std::size_t p = 0; p < std::size(columns); ++p) {
+      if (k >= panels_[p].curves.size()) continue;
+      const double value = number_in(fields.at(columns[p]));
+      panels_[p].curves[k].x.push_back(number_in(fields.at(0)));
+      panels_[p].curves[k].y.push_back(value);
+      if (!std::isnan(value)) highest_[p] = std::max(highest_[p], value);
+    }
+  }
+
+  std::string drawn() && {
+    constexpr double fewest = 4.0;  // where ticks are whole numbers still
+    panels_[plants].y_range =
+        rounded_outwards({0.0, std::max(fewest, highest_[plants])}, AxisScale::linear);
+    std::vector<CurvePanel> shown;
+    for (std::size_t p = 0; p < std::size(columns); ++p) {
+      if (highest_[p] < 0.0) continue;  // no value at all
+      if (p == radius) panels_[p].y_range = rounded_outwards({0.0, highest_[p]}, AxisScale::linear);
+      shown.push_back(std::move(panels_[p]));
+    }
+    return curve_svg(
+        shown,
+        "Plants, the inequality of their basal areas and their mean stem radius over the steps");
+  }
+
+ private:
+  enum : std::size_t { plants, inequality, radius };
+  static constexpr std::size_t columns[] = {2, 8, 6};  ///< of steps.csv
+
+  std::vector<CurvePanel> panels_;
+  double highest_[std::size(columns)] = {-1.0, -1.0, -1.0};
+};
+
 }  // namespace
 
 std::string steps_header() {
@@ -65,33 +126,14 @@ std::string steps_rows(const Population& population, const StandStatistics& stat
 }
 
 std::string curves_of(std::string_view steps_csv, const std::vector<std::string>& species) {
-  constexpr std::size_t alive = 2, gini = 8;
-  // Of one species alone "all" says nothing more.
-  const std::size_t shown = species.size() > 1 ? species.size() + 1 : 1;
-  CurvePanel plants{
-      .curves = {}, .caption = "Plants", .x_label = "step", .y_label = "plants alive"};
-  CurvePanel inequality{
-      .curves = {}, .caption = "Inequality", .x_label = "step", .y_label = "Gini coefficient"};
-  for (std::size_t k = 0; k < shown; ++k)
-    for (CurvePanel* panel : {&plants, &inequality})
-      panel->curves.push_back({k < species.size() ? species[k] : "all", {}, {}});
-  bool has_gini = false;
+  StandCurves curves(species);
   std::size_t row = 0;
   for (std::size_t at = steps_csv.find('\n') + 1; at < steps_csv.size(); ++row) {
     const std::size_t end = steps_csv.find('\n', at);
-    const std::vector<std::string_view> fields = fields_of(steps_csv.substr(at, end - at));
+    curves.add(row % (species.size() + 1), fields_of(steps_csv.substr(at, end - at)));
     at = end + 1;
-    const std::size_t k = row % (species.size() + 1);
-    if (k >= shown) continue;
-    const double step = number_in(fields.at(0)), inequality_now = number_in(fields.at(gini));
-    has_gini = has_gini || !std::isnan(inequality_now);
-    for (CurvePanel* panel : {&plants, &inequality}) panel->curves[k].x.push_back(step);
-    plants.curves[k].y.push_back(number_in(fields.at(alive)));
-    inequality.curves[k].y.push_back(inequality_now);
   }
-  std::vector<CurvePanel> panels{std::move(plants)};
-  if (has_gini) panels.push_back(std::move(inequality));
-  return curve_svg(panels, "Plants and the inequality of their basal areas over the steps");
+  return std::move(curves).drawn();
 }
 
 std::string plants_csv(const CompeteFindings& f) {

@@ -15,7 +15,8 @@ namespace phytobench::cli {
 std::string steps_header();
 std::string steps_rows(const Population& population, const StandStatistics& statistics,
                        const std::vector<std::uint64_t>& start);
-/// Plants and Gini coefficient over the steps of a whole steps.csv, as SVG.
+/// Plants, Gini coefficient and mean stem radius over the steps of a whole steps.csv, as SVG, in
+/// the hues that species have in pictures of stands; plants count from 0.
 std::string curves_of(std::string_view steps_csv, const std::vector<std::string>& species);
 
 /// plants.csv: all plants in the order of their ids.

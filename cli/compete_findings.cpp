@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "cli/compete_findings.hpp"
 
+#include <limits>
+
 namespace phytobench::cli {
+
+namespace {
+
+/// One plant alone is neither equal to others nor unequal.
+void leave_out_gini_of_one(PlantStatistics& plants) {
+  if (plants.plants < 2) plants.gini = std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
 
 StandSnapshot snapshot_of(Population& population) {
   StandSnapshot snapshot{.loss = population.losses(),
@@ -11,6 +22,8 @@ StandSnapshot snapshot_of(Population& population) {
   const PopulationParameters& parameters = population.parameters();
   snapshot.statistics = stand_statistics(population.stand(), snapshot.loss,
                                          parameters.species.size(), parameters.ground.area());
+  for (PlantStatistics& species : snapshot.statistics.species) leave_out_gini_of_one(species);
+  leave_out_gini_of_one(snapshot.statistics.all);
   return snapshot;
 }
 

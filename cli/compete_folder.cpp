@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "cli/compete_folder.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <regex>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -22,9 +26,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* parameters_name = "parameters.toml";
+constexpr std::uintmax_t any_size = std::numeric_limits<std::uintmax_t>::max();
 
-/// What a run leaves, apart from its parameters.
+/// What a run leaves, apart from its inputs.
 constexpr const char* file_names[] = {"checkpoint.bin", "steps.csv",  "plants.csv",   "stand.svg",
                                       "stand.png",      "curves.svg", "summary.json", "frames"};
 
@@ -48,32 +52,50 @@ void append_or_restore(const fs::path& file, const std::string& text, std::uint6
 
 }  // namespace
 
+bool is_name_of_run(const fs::path& name) {
+  const std::string first = name.begin()->string();
+  return first == parameters_name ||
+         std::find(std::begin(file_names), std::end(file_names), first) != std::end(file_names);
+}
+
 std::string FrameFiles::name(std::int32_t number) const {
   return fmt::format("frames/{:05}.{}", number, format);
 }
 
-CompeteFolder::CompeteFolder(fs::path folder, std::vector<Setting> settings, FrameFiles frames)
-    : folder_(std::move(folder)), settings_(std::move(settings)), frames_(std::move(frames)) {}
+CompeteFolder::CompeteFolder(fs::path folder, std::vector<Setting> settings, FrameFiles frames,
+                             std::vector<FileContent> inputs)
+    : folder_(std::move(folder)),
+      settings_(std::move(settings)),
+      frames_(std::move(frames)),
+      inputs_(std::move(inputs)) {}
 
-void CompeteFolder::begin(const std::string& parameter_file, const CompeteProgress& progress) {
+void CompeteFolder::begin(const CompeteProgress& progress) {
+  refuse_files_of_others();
+  make_folder(folder_);
+  lock();
+  remove_leftovers();
+  save(progress.state, progress.pairs);
+  write_inputs();
+}
+
+void CompeteFolder::refuse_files_of_others() const {
   std::error_code error;
   for (const char* name : file_names)
     if (fs::exists(folder_ / name, error))
       throw InputError(fmt::format(
           "{}: already holds {}; use --resume to go on with the run there, or another --out",
           folder_.string(), name));
-  if (const fs::path file = folder_ / parameters_name;
-      fs::exists(file, error) && read_text_file(file) != parameter_file)
-    throw InputError(file.string() + ": is another parameter file; use another --out");
-  make_folder(folder_);
-  remove_leftovers();
-  save(progress.state, progress.pairs);
-  write_parameters(parameter_file);
+  for (const FileContent& input : inputs_)
+    if (const fs::path file = folder_ / input.file;
+        fs::exists(file, error) && read_text_file(file, any_size) != input.content)
+      throw InputError(file.string() +
+                       ": is another file than the run starts from; use another --out");
 }
 
-CompeteProgress CompeteFolder::resume(const std::string& parameter_file, std::int32_t last_step) {
+CompeteProgress CompeteFolder::resume(std::int32_t last_step) {
   const fs::path file = checkpoint_file();
   std::error_code error;
+  if (fs::is_directory(folder_, error)) lock();
   if (!fs::exists(file, error))
     throw InputError(
         fmt::format("{}: holds no checkpoint.bin to go on from{}", folder_.string(),
@@ -94,7 +116,7 @@ CompeteProgress CompeteFolder::resume(const std::string& parameter_file, std::in
   cut_steps();
   remove_leftovers();
   remove_frames_from(checkpoint.state.step);
-  write_parameters(parameter_file);
+  write_inputs();
   return {std::move(checkpoint.state), checkpoint.tally[0]};
 }
 
@@ -111,14 +133,31 @@ void CompeteFolder::write_frame(std::int32_t step, const std::string& content) c
 
 std::string CompeteFolder::finished_steps() {
   append_rows();
-  return read_text_file(steps_file(), std::numeric_limits<std::uintmax_t>::max());
+  return read_text_file(steps_file(), any_size);
 }
 
 void CompeteFolder::finish(std::vector<FileContent> files, bool keeps_checkpoint) {
+  const bool has_svg = std::any_of(
+      files.begin(), files.end(), [](const FileContent& file) { return file.file == "stand.svg"; });
   for (FileContent& file : files) file.file = folder_ / file.file;
   write_files_atomically(files);
   std::error_code ignored;
+  // One that a shorter run has left when it had fewer plants.
+  if (!has_svg) fs::remove(folder_ / "stand.svg", ignored);
   if (!keeps_checkpoint) fs::remove(checkpoint_file(), ignored);
+}
+
+/// Two runs in one folder would write over each other. The system lets go of the lock with the
+/// program, however it ends.
+void CompeteFolder::lock() {
+  lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw InputError(folder_.string() +
+                     ": another run is writing there; wait for it, or use another --out");
+}
+
+CompeteFolder::~CompeteFolder() {
+  if (lock_ >= 0) ::close(lock_);
 }
 
 void CompeteFolder::append_rows() {
@@ -129,8 +168,16 @@ void CompeteFolder::append_rows() {
   rows_.clear();
 }
 
-void CompeteFolder::write_parameters(const std::string& parameter_file) const {
-  write_file_atomically(folder_ / parameters_name, parameter_file);
+void CompeteFolder::write_inputs() const {
+  std::vector<FileContent> files = inputs_;
+  for (FileContent& file : files) file.file = folder_ / file.file;
+  // A run in the folder of its own inputs leaves them, and links to them, as they are.
+  std::erase_if(files, [](const FileContent& file) {
+    std::error_code error;
+    return fs::is_regular_file(file.file, error) &&
+           read_text_file(file.file, any_size) == file.content;
+  });
+  write_files_atomically(files);
 }
 
 /// Back to its length at the checkpoint, which must not have been touched.
@@ -140,7 +187,7 @@ void CompeteFolder::cut_steps() const {
     fs::remove(steps_file(), error);
     return;
   }
-  const std::string text = read_text_file(steps_file(), std::numeric_limits<std::uintmax_t>::max());
+  const std::string text = read_text_file(steps_file(), any_size);
   if (text.size() < steps_bytes_ ||
       digest(std::string_view(text).substr(0, steps_bytes_)) != steps_digest_)
     throw InputError(steps_file().string() +
@@ -150,15 +197,27 @@ void CompeteFolder::cut_steps() const {
     throw EnvironmentError("cannot write " + steps_file().string() + ": " + error.message());
 }
 
-/// Half-written files of a run that was killed; they have temporary names.
+/// Half-written files of a run that was killed; they have temporary names of the run's own files.
 void CompeteFolder::remove_leftovers() const {
-  static const std::regex leftover(R"(\.(bin|csv|toml|svg|png|json)\.part[0-9]+$)");
-  for (const fs::path& folder : {folder_, folder_ / "frames"}) {
+  static const std::regex temporary(R"((.*)\.part[0-9]+$)"), frame(R"([0-9]{5,}\.(svg|png))");
+  std::set<fs::path> folders{folder_ / "", folder_ / "frames/"}, inputs;
+  for (const FileContent& input : inputs_) {
+    inputs.insert(folder_ / input.file);
+    folders.insert((folder_ / input.file).parent_path() / "");
+  }
+  for (const fs::path& folder : folders) {
     std::error_code error;
     std::vector<fs::path> found;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-      if (std::regex_search(entry.path().filename().string(), leftover))
-        found.push_back(entry.path());
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+      const std::string name = entry.path().filename().string();
+      std::smatch match;
+      if (!std::regex_match(name, match, temporary)) continue;
+      const std::string own = match[1].str();
+      const bool is_of_run = folder == folder_ / ""          ? is_name_of_run(own)
+                             : folder == folder_ / "frames/" ? std::regex_match(own, frame)
+                                                             : false;
+      if (is_of_run || inputs.contains(folder / own)) found.push_back(entry.path());
+    }
     for (const fs::path& file : found) fs::remove(file, error);
   }
 }

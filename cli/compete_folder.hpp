@@ -14,6 +14,12 @@
 
 namespace phytobench::cli {
 
+/// A run's copy of the file that it was started from.
+inline constexpr const char* parameters_name = "parameters.toml";
+
+/// Whether a run writes a file of that name into its folder, or a folder that it begins with.
+bool is_name_of_run(const std::filesystem::path& name);
+
 /// A run between two steps. Lines and pictures of this step are not written yet.
 struct CompeteProgress {
   PopulationState state;
@@ -30,17 +36,23 @@ struct FrameFiles {
 
 class CompeteFolder {
  public:
-  /// `settings` are all that the files depend on.
-  CompeteFolder(std::filesystem::path folder, std::vector<Setting> settings, FrameFiles frames);
+  /// `settings` are all that the files depend on; `inputs`, copied into the folder under the names
+  /// given, are what the run is repeated from.
+  CompeteFolder(std::filesystem::path folder, std::vector<Setting> settings, FrameFiles frames,
+                std::vector<FileContent> inputs);
+  ~CompeteFolder();
+  CompeteFolder(const CompeteFolder&) = delete;
+  CompeteFolder& operator=(const CompeteFolder&) = delete;
 
   /// Starts a run with a first checkpoint. Throws InputError if the folder holds one, or other
-  /// files of the names that a run writes; EnvironmentError if nothing can be written.
-  void begin(const std::string& parameter_file, const CompeteProgress& progress);
+  /// files of the names that a run writes, or if another program runs there; EnvironmentError if
+  /// nothing can be written.
+  void begin(const CompeteProgress& progress);
 
   /// Where the run in the folder was. Throws InputError if there is none, if it is beyond
   /// `last_step` or had other settings, or if its steps.csv was changed. Pictures of later steps
   /// are removed.
-  CompeteProgress resume(const std::string& parameter_file, std::int32_t last_step);
+  CompeteProgress resume(std::int32_t last_step);
 
   /// Lines of steps.csv, kept until the next save() or finish().
   void add_rows(const std::string& rows) { rows_ += rows; }
@@ -61,8 +73,10 @@ class CompeteFolder {
 
  private:
   std::filesystem::path steps_file() const { return folder_ / "steps.csv"; }
+  void lock();
   void append_rows();
-  void write_parameters(const std::string& parameter_file) const;
+  void refuse_files_of_others() const;
+  void write_inputs() const;
   void cut_steps() const;
   void remove_leftovers() const;
   void remove_frames_from(std::int32_t step) const;
@@ -70,9 +84,11 @@ class CompeteFolder {
   std::filesystem::path folder_;
   std::vector<Setting> settings_;
   FrameFiles frames_;
+  std::vector<FileContent> inputs_;
   std::string rows_;
   std::uint64_t steps_bytes_ = 0;  ///< of steps.csv, with its digest
   std::uint64_t steps_digest_ = digest_of_nothing;
+  int lock_ = -1;  ///< the folder, opened
 };
 
 }  // namespace phytobench::cli

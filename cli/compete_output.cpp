@@ -124,7 +124,7 @@ std::string compete_text(const CompeteFindings& f, const CompeteOptions& options
                   name_of_run(options), f.population.state().step, parameters.seed, parameters.rule,
                   parameters.is_torus ? "torus" : "plot", ground.width(), ground.height());
   text += table(f) + "\n";
-  if (f.pattern && !std::isnan(f.pattern->hopkins))
+  if (f.pattern)
     text += fmt::format(
         "Clark-Evans R = {:.4f}, Hopkins index {:.4f}, nearest neighbour {:.4g} m away on "
         "average\n",

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Runs of phytobench compete that end early: killed, interrupted, out of disk, and taken up again.
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include "cli/compete_fixture.hpp"
 
 namespace phytobench {
@@ -26,6 +30,26 @@ TEST_F(CompeteResume, KilledAndResumedItLeavesTheSameFiles) {
   EXPECT_GT(kills, 0);
   expect_done(options + "--out broken --resume");
   expect_same_files("whole", "broken");
+}
+
+TEST_F(CompeteResume, FilesOfOthersStay) {
+  for (const char* name : {"survey.csv.part1", "stand.json.part02", "notes.txt.part3"})
+    write(std::string("mine/") + name, "mine");
+  write("mine/steps.csv.part77", "half-written");
+  expect_done("lively.toml --steps 3 --out mine");
+  for (const char* name : {"survey.csv.part1", "stand.json.part02", "notes.txt.part3"})
+    EXPECT_TRUE(exists(std::string("mine/") + name)) << name;
+  EXPECT_FALSE(exists("mine/steps.csv.part77"));
+}
+
+TEST_F(CompeteResume, TwoRunsDoNotShareAFolder) {
+  expect_done("lively.toml --steps 3 --checkpoint 1 --out shared");
+  const int folder = ::open((this->folder() / "shared").c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(::flock(folder, LOCK_EX), 0);
+  expect_refused_line("compete lively.toml --steps 9 --checkpoint 1 --out shared --resume",
+                      "another run is writing there");
+  ::close(folder);
+  expect_done("lively.toml --steps 9 --checkpoint 1 --out shared --resume");
 }
 
 TEST_F(CompeteResume, InterruptedItSaysHowToGoOn) {

@@ -231,7 +231,7 @@ void add_competition_race(CLI::App& race, Commands& commands) {
   sub->add_option("--plants", options.plants, "How many; several sizes give the growth of time")
       ->delimiter(',')
       ->capture_default_str()
-      ->check(CLI::Range(2.0, 1e8));
+      ->check(CLI::Range(2.0, 2e7));
   sub->add_option("--pairs", options.pairs, "Overlapping pairs of root zones for each plant")
       ->capture_default_str()
       ->check(CLI::Range(0.01, 100.0));
@@ -266,6 +266,9 @@ void add_overlap(CLI::App& app, Commands& commands) {
   OverlapOptions& options = commands.overlap;
   CLI::App* sub = app.add_subcommand("overlap", "Who overlaps whom, and by how much");
   sub->add_option("discs", options.discs, "CSV file with columns x, y, r")->required();
+  sub->add_option("--radius", options.radius,
+                  "The column of radii, such as root_radius of a stand's plants.csv")
+      ->capture_default_str();
   sub->add_option("--window", options.window,
                   "x0,y0,x1,y1: count covered ground inside it, bare ground too");
   sub->add_flag("--torus", options.torus, "Join opposite sides of the window");
@@ -450,7 +453,7 @@ int main(int argc, char** argv) {
     return fail(interrupted, error);
   } catch (const std::bad_alloc&) {
     return fail(environment,
-                EnvironmentError("out of memory; ask for fewer attraction points or free some"));
+                EnvironmentError("out of memory; ask for fewer points or plants, or free some"));
   } catch (const std::exception& error) {
     return fail(environment, error);
   }

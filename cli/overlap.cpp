@@ -44,7 +44,7 @@ Overlaps find_overlaps(const OverlapOptions& options) {
   const OverlapEngineDescriptor& engine = overlap_engine_named(options.engine);
   const Ground ground{options.torus ? result.window : std::nullopt};
   step("reading discs");
-  result.table = read_discs(options.discs, ground);
+  result.table = read_discs(options.discs, ground, options.radius);
   const Discs discs = result.table.discs();
   step("finding pairs");
   engine.create()->find(

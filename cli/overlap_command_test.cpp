@@ -41,6 +41,13 @@ TEST_F(OverlapCommand, GivesPairsPlantsAndCoveredGround) {
   EXPECT_TRUE(d["window"].is_null());
 }
 
+TEST_F(OverlapCommand, TakesRadiiFromAnyColumn) {
+  const std::string stand = file("stand.csv", "x,y,radius,root_radius\n0,0,0.1,1\n1,0,0.1,1\n");
+  EXPECT_EQ(document(stand + " --radius root_radius")["pairs"].size(), 1u);
+  EXPECT_EQ(document(stand + " --radius radius")["pairs"].size(), 0u);
+  EXPECT_EQ(run_line("overlap " + stand + " --radius crown").code, 2);
+}
+
 TEST_F(OverlapCommand, CountsBareGroundInAWindowAndJoinsItsSides) {
   const std::string discs = file("b.csv", "r,x,y\n1,0.5,5\n1,9.5,5\n");
   const json open = document(discs + " --window 0,0,10,10");

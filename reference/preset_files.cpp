@@ -55,8 +55,9 @@ fs::path preset_file_named(const std::string& kind, std::span<const std::string>
     const auto found = std::find(known.begin(), known.end(), wanted);
     if (found != known.end()) return presets[static_cast<std::size_t>(found - known.begin())].file;
   }
+  const std::string list = kind == "trees" ? "presets" : kind;
   throw InputError("unknown preset '" + names[0] + "'" + did_you_mean(names[0], known) +
-                   "; see phytobench list presets");
+                   "; see phytobench list " + list);
 }
 
 }  // namespace phytobench

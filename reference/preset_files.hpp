@@ -20,7 +20,7 @@ struct PresetFile {
 std::vector<PresetFile> preset_files(const std::string& kind);
 
 /// The file of the first of these names that is there. Throws InputError with the name closest to
-/// the first.
+/// the first, and with what lists them.
 std::filesystem::path preset_file_named(const std::string& kind,
                                         std::span<const std::string> names);
 

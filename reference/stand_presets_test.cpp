@@ -52,6 +52,7 @@ TEST(StandPresets, AnUnknownNameGetsTheClosestOne) {
     ADD_FAILURE() << "an unknown preset was found";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("unknown preset 'million-'; did you mean 'million'?"));
+    EXPECT_THAT(error.what(), testing::EndsWith("see phytobench list stands"));
   }
 }
 

@@ -14,6 +14,9 @@
 #include "reports/document_claims.hpp"
 #include "reports/document_scaling.hpp"
 #include "reports/document_tables.hpp"
+#include "reports/repeat_commands.hpp"
+#include "reports/run_figures.hpp"
+#include "reports/verdict_counts.hpp"
 
 namespace phytobench {
 
@@ -38,7 +41,9 @@ class DocumentBuilder {
     document["bases"] = ordered_json(bases);
     document["attention"] = attention_part();
     document["has_attention"] = !document["attention"].empty();
-    for (const JudgedPaper& paper : judged_.papers) document["papers"].push_back(paper_part(paper));
+    for (const bool in_run : {true, false})
+      for (const JudgedPaper& paper : judged_.papers)
+        if (has_run(paper.paper.key) == in_run) document["papers"].push_back(paper_part(paper));
     document["has_studies"] = judged_.scaling.measured();
     document["studies"] = ordered_json::array();
     if (judged_.scaling.measured())
@@ -66,20 +71,26 @@ class DocumentBuilder {
     part["timings"] = sources_.without_varying ? 0 : judged_.run.timings.size();
     part["version"] = build_information::version;
     std::size_t claims = 0, decided = 0, reproduced = 0, errata = 0, refuted = 0, hidden_claims = 0;
+    std::size_t measured = 0, fitted = 0;
     for_each_judgement([&](const Judgement& judgement) {
       ++claims;
+      measured += has_measurement(judgement);
       if (hidden(judgement)) {
         ++hidden_claims;
         return;
       }
-      reproduced += judgement.verdict == Verdict::reproduced;
+      fitted += is_fitted(judgement);
+      reproduced += judgement.verdict == Verdict::reproduced && !is_fitted(judgement);
       errata += judgement.verdict == Verdict::reproduced_with_erratum;
       refuted += judgement.verdict == Verdict::not_reproduced;
     });
-    decided = reproduced + errata + refuted;
+    decided = reproduced + fitted + errata + refuted;
     part["claims"] = claims;
+    part["measured_claims"] = measured;
     part["decided"] = decided;
     part["reproduced"] = reproduced;
+    part["fitted"] = fitted;
+    part["has_fitted"] = fitted > 0;
     part["errata"] = errata;
     part["refuted"] = refuted;
     part["open"] = claims - decided - hidden_claims;
@@ -92,6 +103,13 @@ class DocumentBuilder {
       part["source_changed"] = environment_.value("source_changed", false);
     }
     return part;
+  }
+
+  /// Whether any experiment of that work is in this run.
+  bool has_run(const std::string& paper) const {
+    const auto& experiments = judged_.run.complete_experiments;
+    const auto first = experiments.lower_bound(paper + "/");
+    return first != experiments.end() && first->starts_with(paper + "/");
   }
 
   template <class Use>
@@ -119,8 +137,12 @@ class DocumentBuilder {
     const auto has_checks = [](const Judgement& judgement) {
       return judgement.claim->fixed_verdict != Verdict::not_measured;
     };
-    for (const Verdict verdict : all_verdicts)
-      add_row(std::string(name_of(verdict)), verdict, has_checks);
+    for (const Verdict verdict : all_verdicts) {
+      add_row(std::string(name_of(verdict)), verdict, [&](const Judgement& judgement) {
+        return has_checks(judgement) && !is_fitted(judgement);
+      });
+      if (verdict == Verdict::reproduced) add_row(fitted_row, verdict, is_fitted);
+    }
     add_row("not measured: no check, with a reason", Verdict::not_measured,
             [&](const Judgement& judgement) { return !has_checks(judgement); });
     return rows;
@@ -148,10 +170,9 @@ class DocumentBuilder {
     part["tables"] = ordered_json::array();
     for (const JudgedTable& table : judged.tables)
       part["tables"].push_back(table_document(table, sources_.without_varying));
-    part["pictures"] = ordered_json::array();
-    for (const auto& [name, svg] : sources_.pictures)
-      if (name.starts_with(judged.paper.key + "/"))
-        part["pictures"].push_back({{"name", name}, {"svg", svg}});
+    part["in_run"] = has_run(judged.paper.key);
+    part["pictures"] = figures_of(judged.paper.key, sources_.pictures);
+    part["has_pictures"] = !part["pictures"].empty();
     part["gallery"] = gallery_part(judged.paper.key);
     part["has_gallery"] = !part["gallery"].empty();
     part["claims"] = ordered_json::array();
@@ -221,8 +242,8 @@ class DocumentBuilder {
 
   ordered_json repeat_part() const {
     const RunHeader& header = judged_.run.header;
-    return {{"run", fmt::format("phytobench run --tier {} --seed {} --out results/again",
-                                name_of(header.tier), header.seed)},
+    const auto selection = selection_of(environment_.value("command_line", ""));
+    return {{"run", repeat_run(selection, header.tier, header.seed)},
             {"report", "phytobench report results/again"}};
   }
 

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "reports/repeat_commands.hpp"
 
 namespace phytobench {
 
@@ -107,8 +108,7 @@ ordered_json claim_document(const Judgement& judgement, bool hidden) {
   part["unexpected"] = !hidden && judgement.is_unexpected();
   part["expected"] = name_of(claim.expected_verdict);
   part["has_repeat"] = !claim.checks.empty();
-  part["repeat"] = fmt::format("phytobench run {} --tier {} --out results/again",
-                               fmt::join(experiments_of(claim), " "), name_of(claim.tier));
+  part["repeat"] = repeat_experiments(experiments_of(claim), claim.tier);
   part["checks"] = hidden ? ordered_json::array() : checks_part(judgement);
   part["problems"] = hidden ? ordered_json::array() : problems_part(judgement);
   return part;

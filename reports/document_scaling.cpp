@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/document_tables.hpp"
+#include "reports/repeat_commands.hpp"
 
 namespace phytobench {
 
@@ -56,7 +57,7 @@ class ScalingDocument {
     document_["id"] = scaling_.study.id;
     document_["title"] = scaling_.study.title;
     document_["intro"] = scaling_.study.intro;
-    document_["experiment"] = scaling_.study.experiment;
+    document_["repeat"] = repeat_experiments({scaling_.study.experiment}, Tier::full);
     document_["pictures"] = ordered_json::array();
     for (const auto& [name, svg] : pictures)
       document_["pictures"].push_back(

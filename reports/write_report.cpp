@@ -13,6 +13,7 @@
 #include "reports/document.hpp"
 #include "reports/render_template.hpp"
 #include "reports/scaling_plots.hpp"
+#include "reports/verdict_counts.hpp"
 
 namespace phytobench {
 
@@ -65,10 +66,14 @@ std::string verdicts_json(const JudgedRun& judged, bool without_varying) {
 ReportSummary summary_of(const JudgedRun& judged) {
   ReportSummary summary;
   std::map<Verdict, std::size_t> counts;
+  std::size_t fitted = 0;
   std::string unexpected;
   for (const JudgedPaper& paper : judged.papers)
     for (const Judgement& judgement : paper.judgements) {
-      ++counts[judgement.verdict];
+      if (is_fitted(judgement))
+        ++fitted;
+      else
+        ++counts[judgement.verdict];
       summary.inconclusive += judgement.verdict == Verdict::inconclusive;
       if (!judgement.is_unexpected()) continue;
       ++summary.unexpected;
@@ -76,9 +81,13 @@ ReportSummary summary_of(const JudgedRun& judged) {
                                 name_of(judgement.verdict),
                                 name_of(judgement.claim->expected_verdict), judgement.measured);
     }
-  for (const Verdict verdict : all_verdicts)
-    if (counts[verdict] > 0)
-      summary.text += fmt::format("{:4}  {}\n", counts[verdict], name_of(verdict));
+  const auto add_line = [&](std::size_t count, std::string_view name) {
+    if (count > 0) summary.text += fmt::format("{:4}  {}\n", count, name);
+  };
+  for (const Verdict verdict : all_verdicts) {
+    add_line(counts[verdict], name_of(verdict));
+    if (verdict == Verdict::reproduced) add_line(fitted, fitted_row);
+  }
   summary.text += unexpected;
   return summary;
 }

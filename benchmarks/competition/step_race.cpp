@@ -117,7 +117,7 @@ class StepRace {
     return "";
   }
 
-  /// The plants within two of the largest zones around plant i, and where i is among them.
+  /// The plants around plant i that its zones may meet, and where i is among them.
   static std::pair<PopulationState, std::size_t> neighbourhood(
       const PopulationParameters& parameters, const PopulationState& state, std::size_t i) {
     const double reach = 20.0;  // m; the largest zone has 4
@@ -188,7 +188,8 @@ class StepRace {
   double search_seconds(const Runner& runner) const {
     const Population& population = *runner.population;
     const Stand& stand = population.stand();
-    PairSearch search(overlap_engine_named(engine_name), {.threads = runner.entry->threads});
+    PairSearch search(overlap_engine_named(engine_name),
+                      {.threads = runner.entry->threads, .most_pairs = most_pairs_of_a_step});
     const Ground ground{.torus = parameters_.ground};
     const std::vector<double> roots = population.root_radii(), crowns = population.crown_radii();
     const auto find = [&] {

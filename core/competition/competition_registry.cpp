@@ -3,8 +3,7 @@
 
 #include <array>
 
-#include "core/contract/errors.hpp"
-#include "core/contract/suggestion.hpp"
+#include "core/contract/registered.hpp"
 
 // A test may add a second list to prove that a line and a file are all a rule needs.
 #ifndef PHYTOBENCH_EXTRA_COMPETITION_RULES
@@ -36,27 +35,11 @@ std::span<const CompetitionRuleDescriptor* const> all_competition_rules() {
 }
 
 std::string known_competition_rule_names() {
-  std::string names;
-  for (const CompetitionRuleDescriptor* rule : table) {
-    if (!names.empty()) names += ", ";
-    names += rule->name;
-  }
-  return names;
+  return registered_names(all_competition_rules());
 }
 
 const CompetitionRuleDescriptor& competition_rule_named(std::string_view name) {
-  std::vector<std::string> known;
-  for (const CompetitionRuleDescriptor* rule : table) {
-    known.emplace_back(rule->name);
-    if (rule->name != name) continue;
-    if (rule->built()) return *rule;
-    throw InputError("rule '" + std::string(name) +
-                     "' is not built: " + std::string(rule->missing_package) +
-                     " was not found, or left out, when phytobench was configured; install it and "
-                     "build again");
-  }
-  throw InputError("unknown rule '" + std::string(name) + "'" + did_you_mean(name, known) +
-                   "; known: " + known_competition_rule_names());
+  return registered_as(name, "rule", all_competition_rules());
 }
 
 }  // namespace phytobench

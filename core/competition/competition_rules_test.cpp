@@ -97,6 +97,20 @@ TEST_P(EveryRuleLaw, DoesNotDependOnWhereATorusBegins) {
   for (std::size_t i = 0; i < loss.size(); ++i) EXPECT_NEAR(there[i], loss[i], 1e-9) << i;
 }
 
+TEST_P(EveryRuleLaw, PairsAreCountedAlike) {
+  const TestStand stand = crowded_stand(100, true);
+  const auto pairs_of = [&](std::string_view rule) {
+    PairSearch search(overlap_engine_named("all_pairs"), {});
+    std::vector<double> loss(stand.size());
+    competition_rule_named(rule)
+        .create(two_species())
+        ->assess(stand.plants(), stand.ground, search, loss);
+    return search.pairs_found();
+  };
+  if (GetParam()->uses_above || !GetParam()->uses_below) return;
+  EXPECT_EQ(pairs_of(name()), pairs_of("symmetric"));
+}
+
 TEST_P(EveryRuleLaw, APlantAloneLosesNothing) {
   TestStand stand;
   stand.add(0, 0, 2.0, 1.5, 1);

@@ -21,8 +21,10 @@ class NeighbourField {
   double over_disc(double radius, double distance) const;
 
  private:
+  class Boundary;
+
   /// Of over_disc(): integral over the boundary's piece between two distances from the stem.
-  double over_boundary(double radius, double distance, double near, double far) const;
+  double over_boundary(const Boundary& boundary, double near, double far) const;
 
   double stem_;
   double zone_;

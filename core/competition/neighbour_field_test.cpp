@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/competition/neighbour_field.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -51,6 +52,35 @@ TEST(NeighbourFieldLaw, IsContinuousWhereTheFormChanges) {
   const NeighbourField field(0.2, 2.0, 0.1);
   for (const double distance : {1e-12, 0.3, 0.5, 0.7, 1.5, 2.499999})
     EXPECT_NEAR(field.over_disc(0.5, distance), field.over_disc(0.5, distance + 1e-12), 1e-10);
+}
+
+/// A disc worlds larger than the field, and nearly a half plane where its border crosses the field:
+/// against thin rings around the stem, each with the share of it inside the disc.
+TEST(NeighbourFieldOracle, IsRightForDiscsMuchLargerThanTheField) {
+  const double stem = 0.05, zone = 1.0;
+  const NeighbourField field(stem, zone, 0.1);
+  for (const double radius : {0.7, 2.0, 5.0, 20.0, 100.0, 1000.0})
+    for (const double in_reach : {0.9, 0.5, 0.01, -0.3, -0.6}) {
+      const double distance = radius + in_reach * zone;
+      constexpr int rings = 400'000;
+      double sum = 0.0;
+      for (int k = 0; k < rings; ++k) {
+        const double r = zone * (k + 0.5) / rings;
+        const double cosine =
+            ((r - radius) * (r + radius) + distance * distance) / (2.0 * r * distance);
+        sum += 2.0 * r * std::acos(std::clamp(cosine, -1.0, 1.0)) * field.at(r);
+      }
+      const double expected = sum * zone / rings;
+      EXPECT_NEAR(field.over_disc(radius, distance) / expected, 1.0, 2e-6)
+          << radius << " " << in_reach;
+    }
+}
+
+TEST(NeighbourFieldLaw, FlatFieldsAreTheAreaOfTheZone) {
+  for (const double below_one : {1e-3, 1e-8, 1e-14}) {
+    const double whole = NeighbourField(0.1, 2.0, 1.0 - below_one).over_own_disc(2.0);
+    EXPECT_NEAR(whole / (4.0 * std::numbers::pi), 1.0, below_one);
+  }
 }
 
 TEST(NeighbourFieldOracle, AgreesWithSumsOverRings) {

@@ -9,7 +9,8 @@
 
 namespace phytobench {
 
-/// `Law` is made from the parameters; its call (plants, zone, i, j, overlap) gives PairLosses.
+/// `Law` is made from the parameters; its call (plants, zone, ground, i, j, overlap) gives
+/// PairLosses.
 template <class Law>
 class OneZoneRule final : public CompetitionRule {
  public:

@@ -11,8 +11,13 @@ PairSearch::PairSearch(const OverlapEngineDescriptor& engine, OverlapSetup setup
 }
 
 const OverlapPairs& PairSearch::find(const Discs& discs, const Ground& ground) {
+  const OverlapPairs& pairs = find_uncounted(discs, ground);
+  pairs_found_ += pairs.size();
+  return pairs;
+}
+
+const OverlapPairs& PairSearch::find_uncounted(const Discs& discs, const Ground& ground) {
   candidates_ += engine_->find(discs, ground, setup_, pairs_).candidates;
-  pairs_found_ += pairs_.size();
   return pairs_;
 }
 

@@ -22,6 +22,10 @@ class PairSearch {
   /// The same pairs in the same order, some after the other: takes a fraction of the memory.
   void for_each_part(const Discs& discs, const Ground& ground, const TakePairs& take);
 
+  /// For rules that search discs of their own making: `count` more of the plants' own pairs.
+  const OverlapPairs& find_uncounted(const Discs& discs, const Ground& ground);
+  void count_pairs(std::uint64_t count) { pairs_found_ += count; }
+
   std::uint64_t pairs_found() const { return pairs_found_; }  ///< over all calls
   std::uint64_t candidates() const { return candidates_; }    ///< the same
 

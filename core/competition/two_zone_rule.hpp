@@ -73,8 +73,8 @@ class TwoZoneRule final : public CompetitionRule {
     double first = lost_by_first(plants, zone, parameters_.ties, i, j);
     double weight = ring_weight(ring);
     if constexpr (effects.light) {
-      // The larger keeps (1 + L/q) / 2 of the overlap, where L is the opacity of its own crown.
-      const double opacity = parameters_.species[r_i >= r_j ? a : b].crown_opacity;
+      // Who wins keeps (1 + L/q) / 2 of the overlap, where L is the opacity of its own crown.
+      const double opacity = parameters_.species[first < 0.5 ? a : b].crown_opacity;
       first = 0.5 + (first - 0.5) * opacity;
       weight = parameters_.light_constant / ring;
     }

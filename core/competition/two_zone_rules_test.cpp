@@ -86,6 +86,21 @@ TEST(Light, OpacityOfTheLargerCrownMovesTheShare) {
   }
 }
 
+TEST(Light, OfEqualCrownsTheWinnersOpacityCounts) {
+  CompetitionParameters parameters = parameters_of(1.0);
+  parameters.ties = TieRule::lower_id_wins;
+  parameters.species[0].crown_opacity = 0.0;
+  parameters.species[1].crown_opacity = 1.0;
+  TestStand stand;
+  stand.add(0, 0, 1, 1, 0);
+  stand.add(1, 0, 1, 1, 1);
+  const std::vector<double> loss = losses("light", parameters, stand);
+  EXPECT_EQ(loss[0], loss[1]);  // the open crown of the lower id wins: nothing, that is
+  const std::vector<double> other = losses("light", parameters, stand.permuted({1, 0}));
+  EXPECT_EQ(other[0], loss[1]);
+  EXPECT_EQ(other[1], loss[0]);
+}
+
 TEST(Roots, DeepNeighboursTakeTwiceAsMuch) {
   const Pair pair;
   CompetitionParameters parameters = parameters_of(0.0);

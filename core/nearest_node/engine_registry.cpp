@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/contract/errors.hpp"
+#include "core/contract/registered.hpp"
 
 // A test may add a second list to prove that a line and a file are all an engine needs.
 #ifndef PHYTOBENCH_EXTRA_ENGINES
@@ -35,24 +35,11 @@ std::span<const EngineDescriptor* const> all_engines() {
 }
 
 std::string known_engine_names() {
-  std::string names;
-  for (const EngineDescriptor* engine : table) {
-    if (!names.empty()) names += ", ";
-    names += engine->name;
-  }
-  return names;
+  return registered_names(all_engines());
 }
 
 const EngineDescriptor& engine_named(std::string_view name) {
-  for (const EngineDescriptor* engine : table) {
-    if (engine->name != name) continue;
-    if (engine->built()) return *engine;
-    throw InputError(
-        "engine '" + std::string(name) + "' is not built: " + std::string(engine->missing_package) +
-        " was not found, or left out, when phytobench was configured; install it and build "
-        "again");
-  }
-  throw InputError("unknown engine '" + std::string(name) + "'; known: " + known_engine_names());
+  return registered_as(name, "engine", all_engines());
 }
 
 }  // namespace phytobench

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "core/overlap/discs.hpp"
@@ -15,9 +16,10 @@ struct DiscTable {
   Discs discs() const { return {x, y, radius}; }
 };
 
-/// A CSV file with columns x, y, r (others are ignored). Throws InputError with file:line for
-/// everything that read_number_columns() refuses, and for discs that no engine can take: see
-/// problem_with().
-DiscTable read_discs(const std::filesystem::path& file, const Ground& ground);
+/// A CSV file with columns x, y and one of radii (others are ignored). Throws InputError with
+/// file:line for everything that read_number_columns() refuses, and for discs that no engine can
+/// take: see problem_with().
+DiscTable read_discs(const std::filesystem::path& file, const Ground& ground,
+                     const std::string& radius_column = "r");
 
 }  // namespace phytobench

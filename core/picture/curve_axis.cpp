@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,9 @@
 namespace phytobench {
 
 namespace {
+
+/// Part of a logarithmic axis that one label needs for itself: some five letters below a plot.
+constexpr double room_of_a_label = 0.12;
 
 /// digit * 10^power.
 struct Step {
@@ -68,9 +72,31 @@ std::vector<AxisTick> CurveAxis::linear_ticks(int wanted) const {
   return all;
 }
 
+std::vector<AxisTick> CurveAxis::with_room(std::vector<AxisTick> ticks) const {
+  const auto is_power = [](const AxisTick& tick) {
+    const double power = std::log10(tick.value);
+    return std::abs(power - std::round(power)) < 1e-9;
+  };
+  std::vector<double> taken;
+  // Powers of ten have the first choice.
+  for (const bool powers : {true, false})
+    for (AxisTick& tick : ticks) {
+      if (tick.label.empty() || is_power(tick) != powers) continue;
+      const double own = position(tick.value);
+      const bool is_free = std::all_of(taken.begin(), taken.end(), [&](double other) {
+        return std::abs(own - other) >= room_of_a_label;
+      });
+      if (is_free)
+        taken.push_back(own);
+      else
+        tick.label.clear();
+    }
+  return ticks;
+}
+
 std::vector<AxisTick> CurveAxis::logarithmic_ticks(int wanted) const {
   const double decades = std::log10(range_.high / range_.low);
-  if (decades < 1.0) return linear_ticks(wanted);
+  if (decades < 1.0) return with_room(linear_ticks(wanted));
   std::vector<AxisTick> all;
   for (int power = static_cast<int>(std::floor(std::log10(range_.low))) - 1;
        power <= std::log10(range_.high) + 1.0; ++power)
@@ -80,7 +106,7 @@ std::vector<AxisTick> CurveAxis::logarithmic_ticks(int wanted) const {
       const bool named = digit == 1 || (decades < 3.0 && (digit == 2 || digit == 5));
       all.push_back({value, named ? tick_label(value, power) : ""});
     }
-  return all;
+  return decades < 3.0 ? with_room(std::move(all)) : all;
 }
 
 AxisRange range_of(const std::vector<double>& values, AxisScale scale) {

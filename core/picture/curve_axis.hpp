@@ -31,8 +31,8 @@ class CurveAxis {
 
   /// Linear: multiples of 1, 2 or 5 times a power of ten, from three to nine of them for
   /// `wanted` = 6. Logarithmic: every power of ten named, and 2 and 5 times it within three
-  /// decades, strokes without a number between; within one decade as if linear. Never outside the
-  /// range.
+  /// decades, strokes without a number between; within one decade as if linear. A number that would
+  /// stand too close to another one is left out within three decades. Never outside the range.
   std::vector<AxisTick> ticks(int wanted = 6) const;
 
   const AxisRange& range() const { return range_; }
@@ -40,6 +40,8 @@ class CurveAxis {
  private:
   std::vector<AxisTick> linear_ticks(int wanted) const;
   std::vector<AxisTick> logarithmic_ticks(int wanted) const;
+  /// Clears labels that stand too close to another one; those of powers of ten come first.
+  std::vector<AxisTick> with_room(std::vector<AxisTick> ticks) const;
 
   AxisRange range_;
   AxisScale scale_;

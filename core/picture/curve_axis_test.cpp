@@ -58,6 +58,20 @@ TEST(CurveAxisLaw, TicksLieInsideInOrderUnderNamesOfTheirOwnForEveryRange) {
       }
 }
 
+TEST(CurveAxisLaw, NumbersOfALogarithmicAxisStandApart) {
+  for (const double low : {0.013, 0.05, 0.1, 0.3, 1.0, 7.0})
+    for (double ratio = 1.3; ratio < 900.0; ratio *= 1.07) {
+      SCOPED_TRACE(ratio);
+      const CurveAxis axis({low, ratio * low}, logarithmic);
+      double last = -1.0;
+      for (const AxisTick& tick : axis.ticks()) {
+        if (tick.label.empty()) continue;
+        EXPECT_GE(axis.position(tick.value) - last, 0.1) << tick.label;
+        last = axis.position(tick.value);
+      }
+    }
+}
+
 TEST(CurveAxis, PositionsRunFromEndToEnd) {
   const CurveAxis plain({2, 6}, linear), decades({1, 10000}, logarithmic);
   EXPECT_EQ(plain.position(2), 0.0);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/contract/check.hpp"
+#include "core/picture/svg_text.hpp"
 
 namespace phytobench {
 
@@ -25,29 +26,6 @@ double letters(const std::string& text) {
 }
 
 }  // namespace
-
-std::string escaped_for_svg(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else if (c == '"')
-      safe += "&quot;";
-    else
-      safe += c;
-  }
-  return safe;
-}
-
-std::string svg_text(double x, double y, const char* anchor, const std::string& text,
-                     const std::string& more) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
-                     anchor, more, escaped_for_svg(text));
-}
 
 std::string curve_stroke(CurveStyle style, const std::string& colour) {
   if (style == CurveStyle::points)

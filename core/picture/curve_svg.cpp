@@ -9,6 +9,7 @@
 #include "core/contract/check.hpp"
 #include "core/picture/curve_legend.hpp"
 #include "core/picture/simplified_line.hpp"
+#include "core/picture/svg_text.hpp"
 
 namespace phytobench {
 

@@ -5,26 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "core/picture/svg_text.hpp"
+
 namespace phytobench {
 
 namespace {
 
 constexpr double panel_width = 300.0, gap = 20.0, margin = 4.0, caption_height = 26.0;
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else
-      safe += c;
-  }
-  return safe;
-}
 
 /// On a torus also the images of outlines that leave it, so that no border is bare.
 std::vector<std::vector<Point2>> with_images(const std::vector<std::vector<Point2>>& outlines,
@@ -72,7 +59,7 @@ class Panel {
         "stroke=\"currentColor\"/>\n<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"14\" "
         "text-anchor=\"middle\" fill=\"currentColor\" font-family=\"sans-serif\">{}</text>\n",
         left_, margin, panel_width, height(), left_ + 0.5 * panel_width,
-        margin + height() + 0.7 * caption_height, escaped(panel.caption));
+        margin + height() + 0.7 * caption_height, escaped_for_svg(panel.caption));
     return text;
   }
 
@@ -117,8 +104,8 @@ std::string pattern_svg(const std::vector<PatternPanel>& panels, const Window& w
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.1f} {:.1f}\" role=\"img\" "
       "aria-label=\"{}\">\n<title>{}</title>\n",
-      count * panel_width + (count - 1.0) * gap + 2.0 * margin, height, escaped(title),
-      escaped(title));
+      count * panel_width + (count - 1.0) * gap + 2.0 * margin, height, escaped_for_svg(title),
+      escaped_for_svg(title));
   for (std::size_t k = 0; k < panels.size(); ++k)
     text += Panel(window, margin + static_cast<double>(k) * (panel_width + gap)).draw(panels[k], k);
   return text + "</svg>\n";

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/contract/check.hpp"
-#include "core/picture/curve_legend.hpp"
+#include "core/picture/svg_text.hpp"
 
 namespace phytobench {
 

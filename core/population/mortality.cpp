@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/population/mortality.hpp"
 
+#include <algorithm>
+
 namespace phytobench {
 
 namespace {
@@ -36,7 +38,8 @@ double mean_recent_growth(const PopulationState& state, std::size_t i) {
   double sum = 0.0;
   for (const std::vector<float>& growth : state.recent_growth)
     sum += static_cast<double>(growth[i]);
-  return sum / static_cast<double>(window_of(state));
+  const auto lived = static_cast<std::size_t>(state.stand.age[i]);
+  return sum / static_cast<double>(std::min(lived, window_of(state)));
 }
 
 double mean_recent_radius(const PopulationState& state, std::size_t i) {

@@ -9,7 +9,7 @@
 namespace phytobench {
 
 /// Mean growth of plant i over the last steps, as many as the window has ([Alsweis] (4.8),
-/// corrected), m per step. Only meaningful once it has lived that long.
+/// corrected), or over its whole life if that is shorter, m per step. NaN before its first step.
 double mean_recent_growth(const PopulationState& state, std::size_t i);
 
 /// Mean stem radius of plant i over the window, m.

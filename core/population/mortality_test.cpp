@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/population/mortality.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/population/test_populations.hpp"
@@ -41,6 +43,12 @@ TEST(Mortality, MeansRunOverTheLastStepsOnly) {
   EXPECT_NEAR(mean_recent_growth(state, 0), 0.025, 1e-9);
   // Radii after each of the last four steps: 0.21, 0.23, 0.26, 0.30.
   EXPECT_NEAR(mean_recent_radius(state, 0), 0.25, 1e-8);
+}
+
+TEST(Mortality, TheMeanOfAYoungPlantIsOverItsLife) {
+  const PopulationParameters parameters = with(MortalityRule::none, 0.0);
+  EXPECT_NEAR(mean_recent_growth(grown(parameters, {0.01, 0.03}, 9), 0), 0.02, 1e-9);
+  EXPECT_TRUE(std::isnan(mean_recent_growth(grown(parameters, {}, 9), 0)));
 }
 
 TEST(Mortality, StarvesBelowTheThresholdOnceTheWindowIsFull) {

@@ -51,11 +51,11 @@ std::string problem_with(const StartPlant& plant, const PopulationParameters& pa
         "or enlarge ground.size",
         x, y, ground.low.x, ground.low.y, ground.high.x, ground.high.y);
   const Species& species = parameters.species[plant.species];
-  if (!(plant.stem_radius > 0.0 && plant.stem_radius <= species.largest_radius))
+  if (!(plant.stem_radius >= smallest_stem_radius && plant.stem_radius <= species.largest_radius))
     return fmt::format(
-        "radius = {} is not allowed; give a number > 0 and <= {}, the "
+        "radius = {} is not allowed; give a number >= {} and <= {}, the "
         "largest_radius of species '{}'",
-        plant.stem_radius, species.largest_radius, species.name);
+        plant.stem_radius, smallest_stem_radius, species.largest_radius, species.name);
   return "";
 }
 

@@ -101,9 +101,10 @@ TEST_F(PlantsFile, PlantsMustStandOnTheGround) {
 
 TEST_F(PlantsFile, RadiiArePositiveAndAtMostThoseOfTheSpecies) {
   add_fern();
-  EXPECT_EQ(complaint("x,y,radius,species\n1,10,0.02,red oak\n1,10,0.02,fern\n"),
-            ":3: radius = 0.02 is not allowed; give a number > 0 and <= 0.01, the largest_radius "
-            "of species 'fern'");
+  EXPECT_EQ(
+      complaint("x,y,radius,species\n1,10,0.02,red oak\n1,10,0.02,fern\n"),
+      ":3: radius = 0.02 is not allowed; give a number >= 1e-09 and <= 0.01, the largest_radius "
+      "of species 'fern'");
   for (const char* radius : {"0", "-0.1", "0.50001", "1e300"})
     EXPECT_THAT(complaint("x,y,radius,species\n1,10," + std::string(radius) + ",red oak\n"),
                 StartsWith(":2: radius = "));

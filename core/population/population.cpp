@@ -42,15 +42,15 @@ void find_zone_radii(const PopulationParameters& parameters, const Stand& stand,
 
 /// A zone that meets itself round the torus has no overlap that rules know.
 void check_zones(const PopulationParameters& parameters, const std::vector<double>& radii,
-                 const char* which) {
+                 const char* which, std::int32_t step) {
   if (radii.empty() || !parameters.is_torus) return;
   const double largest = *std::max_element(radii.begin(), radii.end());
   const double side = std::min(parameters.ground.width(), parameters.ground.height());
   if (!(2.0 * largest < side))
     throw InputError(fmt::format(
-        "a {} zone of radius {:.6g} m meets itself round a torus of {:.6g} m; enlarge ground.size, "
-        "lower species.{}_factor, or set ground.torus = false",
-        which, largest, side, which));
+        "in step {} a {} zone of radius {:.6g} m meets itself round a torus of {:.6g} m; enlarge "
+        "ground.size, lower species.{}_factor, or set ground.torus = false",
+        step, which, largest, side, which));
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ Population::Population(PopulationParameters parameters, PopulationState state,
                        const OverlapEngineDescriptor& engine, int threads)
     : parameters_(std::move(parameters)),
       state_(std::move(state)),
-      search_(engine, {.threads = threads, .most_pairs = 2'000'000'000}),
+      search_(engine, {.threads = threads, .most_pairs = most_pairs_of_a_step}),
       threads_(threads) {
   check_parameters(parameters_);
   PHYTOBENCH_EXPECT(state_.born.size() == parameters_.species.size());
@@ -94,22 +94,22 @@ void Population::step() {
   if (apply_events(state_, parameters_)) is_assessed_ = false;
   losses();
   pairs_found_ += pairs_now_;
+  is_assessed_ = false;
   grow();
   remove_dead();
   reproduce(state_, parameters_);
   ++state_.step;
-  is_assessed_ = false;
 }
 
 void Population::assess() {
   const Stand& stand = state_.stand;
   find_zone_radii(parameters_, stand, &Species::roots, parameters_.nutrients, threads_,
                   root_radius_);
-  check_zones(parameters_, root_radius_, "root");
+  check_zones(parameters_, root_radius_, "root", state_.step);
   if (reads_above_) {
     find_zone_radii(parameters_, stand, &Species::crown, parameters_.light, threads_,
                     crown_radius_);
-    check_zones(parameters_, crown_radius_, "crown");
+    check_zones(parameters_, crown_radius_, "crown", state_.step);
   }
   update_weakening();
   loss_.resize(stand.size());

@@ -27,6 +27,9 @@ struct StartPlant {
 PopulationState sow(const PopulationParameters& parameters,
                     std::span<const StartPlant> plants = {});
 
+/// Overlaps that one step may have; beyond, it gives up with an InputError.
+inline constexpr std::size_t most_pairs_of_a_step = 2'000'000'000;
+
 /// One step is: events, competition, growth of all plants at once (explicit Euler), death, seeds.
 /// Random numbers are a function of (seed, step, plant): the same bits for any number of threads,
 /// and for a state that was saved and taken up again.
@@ -40,7 +43,8 @@ class Population {
   const PopulationState& state() const { return state_; }
   const Stand& stand() const { return state_.stand; }
 
-  /// Throws InputError where the population grows beyond parameters().most_plants.
+  /// Throws InputError where the population grows beyond parameters().most_plants, or a zone of a
+  /// plant meets itself round the torus; the object is then good for nothing but state().
   void step();
 
   /// phi of every plant as it stands now, in the stand's order. The next step need not find them

@@ -49,9 +49,8 @@ std::vector<std::size_t> plants_selected(const PopulationState& state,
   } else {
     std::erase_if(plants, [&](std::size_t i) {
       // By event and plant: which plants are struck does not depend on their order.
-      const std::uint64_t draw = (number << 40) ^ stand.id[i];
-      return draws_of(parameters.seed, PopulationDraw::event, draw, event.step).next_unit() >=
-             event.share;
+      return draws_of(parameters.seed, PopulationDraw::event, stand.id[i], event.step, number)
+                 .next_unit() >= event.share;
     });
   }
   return plants;

@@ -52,7 +52,7 @@ class PopulationFileReader {
     // Maps last: they are large, and laid over a ground that is known to be one.
     refuse_problems();
     read_maps();
-    return {std::move(values_.parameters), plants_file()};
+    return {std::move(values_.parameters), plants_file(), named_files()};
   }
 
  private:
@@ -266,6 +266,18 @@ class PopulationFileReader {
     if (!values_.plants.empty() && !fs::exists(values_.plants, error))
       fail({"plants"}, fmt::format("plants: {}: no such file", values_.plants));
     return values_.plants;
+  }
+
+  std::vector<NamedFile> named_files() const {
+    std::vector<NamedFile> files;
+    for (const auto& [key, place] : {std::pair("plants", &values_.plants),
+                                     std::pair("resources.nutrients", &values_.nutrients),
+                                     std::pair("resources.light", &values_.light)}) {
+      if (place->empty()) continue;
+      const NamedFile file{root_.at_path(key).value_or(std::string()), *place};
+      if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+    }
+    return files;
   }
 
   const fs::path& file_;

@@ -4,15 +4,26 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/population/population_parameters.hpp"
 
 namespace phytobench {
 
+/// A file that a TOML file names.
+struct NamedFile {
+  std::string name;  ///< as it is written there
+  std::filesystem::path file;
+
+  friend bool operator==(const NamedFile&, const NamedFile&) = default;
+};
+
 /// What a TOML file says: all of a run but the plants that a table of its own lists.
 struct PopulationFile {
   PopulationParameters parameters;
   std::filesystem::path plants;  ///< for read_plants_file(); empty: none
+  /// Plants and maps, without which the TOML file cannot be read again; each name once.
+  std::vector<NamedFile> files = {};
 };
 
 /// Reads a stand and the maps that it names. Missing keys take their defaults. Throws InputError

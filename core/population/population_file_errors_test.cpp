@@ -255,6 +255,19 @@ TEST_F(PopulationFolder, PlantsLieBesideTheFile) {
   EXPECT_TRUE(read("plants = \"\"\n[[species]]\nname = \"a\"\n").plants.empty());
 }
 
+TEST_F(PopulationFolder, NamesWhatItReadsAsItIsWrittenAndWhereItLies) {
+  write_file_atomically(folder_ / "maps" / "soil.png", to_png(Image(20, 20)));
+  write_file_atomically(folder_ / "two.csv", "x,y,radius\n1,1,0.1\n");
+  const std::string both =
+      "[resources]\nnutrients = \"maps/soil.png\"\nlight = \"maps/soil.png\"\n" +
+      std::string(two_soils) + "crown_factor_poor = 15\ncrown_factor_rich = 6\n";
+  const NamedFile soil{"maps/soil.png", folder_ / "maps/soil.png"};
+  const NamedFile plants{"./two.csv", folder_ / "./two.csv"};
+  EXPECT_EQ(read("plants = \"./two.csv\"\n" + both).files, (std::vector{plants, soil}));
+  EXPECT_EQ(read(both).files, std::vector{soil});
+  EXPECT_TRUE(read("plants = \"\"\n" + std::string(two_soils)).files.empty());
+}
+
 TEST_F(PopulationFolder, MissingFileIsAnInputErrorThatNamesIt) {
   try {
     read_population_file(folder_ / "none.toml");

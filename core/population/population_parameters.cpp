@@ -105,8 +105,8 @@ class ProblemSearch {
       return c == ',' || c == '"' || std::iscntrl(static_cast<unsigned char>(c)) != 0;
     };
     // Tables of plants name species: what they cannot write is no name.
-    if (name.empty() || name == "*" || name.size() > longest_name || name.front() == ' ' ||
-        name.back() == ' ' || std::any_of(name.begin(), name.end(), is_odd))
+    if (name.empty() || name == "*" || name == "all" || name.size() > longest_name ||
+        name.front() == ' ' || name.back() == ' ' || std::any_of(name.begin(), name.end(), is_odd))
       report({key}, fmt::format("species.name = '{}' is not allowed; give 1 to {} characters, not "
                                 "\"*\", without commas and quotes",
                                 in_one_line(name), longest_name));

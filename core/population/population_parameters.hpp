@@ -49,6 +49,9 @@ enum class MortalityRule {
   mean_size,             ///< mean radius over the window is below the threshold, m: as printed
 };
 
+/// Of any plant, m: below, powers of it lose their digits.
+inline constexpr double smallest_stem_radius = 1e-9;
+
 struct Species {
   std::string name;
   std::int64_t count = 0;  ///< plants at the start, besides those of a file

@@ -17,16 +17,21 @@ namespace phytobench {
 
 namespace {
 
+/// Each takes up to six random numbers of the 2^24 that a plant has in a step.
+constexpr double most_seeds_of_a_plant = 1e6;
+
 class SeedYear {
  public:
   SeedYear(PopulationState& state, const PopulationParameters& parameters)
       : state_(state), parameters_(parameters), is_bad_(is_bad_year(parameters, state.step)) {}
 
   void wake_resting() {
-    CounterStream stream = draws_of(parameters_.seed, PopulationDraw::germination, 0, state_.step);
     std::vector<DormantSeed> resting;
     resting.swap(state_.seeds);
-    for (const DormantSeed& seed : resting) {
+    for (std::size_t place = 0; place < resting.size(); ++place) {
+      const DormantSeed& seed = resting[place];
+      CounterStream stream =
+          draws_of(parameters_.seed, PopulationDraw::germination, place, state_.step);
       const ReproductionParameters& p = parameters_.species[seed.species].reproduction;
       if (stream.next_unit() < p.seed_mortality) continue;
       if (stream.next_unit() < p.germination_rate)
@@ -52,6 +57,11 @@ class SeedYear {
     const SeedProduction production{p.threshold, p.seeds_per_metre, species.largest_radius};
     const double mean = production.expected_seeds(stand.stem_radius[i]);
     if (!(mean > 0.0)) return;
+    if (mean > most_seeds_of_a_plant)
+      throw InputError(
+          fmt::format("a plant of radius {:.6g} m would shed {:.3g} seeds in a step; lower "
+                      "species.reproduction.seeds_per_metre, so that it sheds at most {:g}",
+                      stand.stem_radius[i], mean, most_seeds_of_a_plant));
     const SeedDispersal dispersal{p.dispersal, p.dispersal_distance};
     const Point2 mother = stand.place(i);
     CounterStream stream =

@@ -17,7 +17,7 @@ double growth_rate(const Species& species, double stem_radius) {
 }
 
 double zone_radius(const ZoneLaw& zone, double stem_radius, double resource) {
-  const double factor = zone.poor_factor + resource * (zone.rich_factor - zone.poor_factor);
+  const double factor = std::lerp(zone.poor_factor, zone.rich_factor, resource);
   if (zone.exponent == 0.5) return factor * std::sqrt(stem_radius);  // the usual one, and fast
   if (zone.exponent == 1.0) return factor * stem_radius;
   return factor * std::pow(stem_radius, zone.exponent);

@@ -22,7 +22,7 @@ void check_plant(const PopulationParameters& parameters, const StartPlant& plant
                     "ground.size",
                     number, plant.place.x, plant.place.y));
   const double largest = parameters.species[plant.species].largest_radius;
-  if (!(plant.stem_radius > 0.0 && plant.stem_radius <= largest))
+  if (!(plant.stem_radius >= smallest_stem_radius && plant.stem_radius <= largest))
     throw InputError(
         fmt::format("plant {} has radius {}; give a radius > 0 and at most the {} of "
                     "its species",
@@ -53,6 +53,11 @@ PopulationState sow(const PopulationParameters& parameters, std::span<const Star
   std::size_t count = plants.size();
   for (const Species& species : parameters.species)
     count += static_cast<std::size_t>(species.count);
+  if (count > parameters.most_plants)
+    throw InputError(
+        fmt::format("{} plants of a file and of species.count together are too many; "
+                    "give at most {}",
+                    count, parameters.most_plants));
   reserve_plants(state, count);
   for (std::size_t i = 0; i < plants.size(); ++i) {
     check_plant(parameters, plants[i], i);

@@ -98,6 +98,8 @@ class StandPainter {
     for (const std::size_t i : order_) paint_root_zone(i);
     for (const std::size_t i : order_) paint_crown(i);
     for (const std::size_t i : order_) paint_stem(i);
+    for (const std::size_t i : order_)
+      if (view_.stand.ill_since[i] != healthy) paint_illness(i);
     return canvas_.image();
   }
 
@@ -154,13 +156,35 @@ class StandPainter {
     paint(i, fills_crowns_ ? 0.0 : radius - line, radius, own_colour(i), 0.18);
   }
 
+  /// Between plants, if they stood in a square lattice; pixels.
+  double spacing() const {
+    return std::sqrt(static_cast<double>(canvas_.width()) * canvas_.height() /
+                     static_cast<double>(order_.size()));
+  }
+
   void paint_stem(std::size_t i) {
     // Visible dots, unless there are so many that they would cover the ground.
-    const double spacing = std::sqrt(static_cast<double>(canvas_.width()) * canvas_.height() /
-                                     static_cast<double>(order_.size()));
     const double radius =
-        std::max(scale_ * view_.stand.stem_radius[i], std::min(1.5, 0.2 * spacing));
+        std::max(scale_ * view_.stand.stem_radius[i], std::min(1.5, 0.2 * spacing()));
     paint(i, 0.0, radius, own_colour(i), 1.0);
+  }
+
+  /// A circle of dots around the stem.
+  void paint_illness(std::size_t i) {
+    constexpr double dot = 0.9, distance = 3.2;  // pixels
+    const double radius = illness_ring(scale_ * view_.stand.stem_radius[i], spacing());
+    const auto dots = std::max(4L, std::lround(2.0 * std::numbers::pi * radius / distance));
+    const Rectangle& ground = parameters_.ground;
+    for_each_appearance(
+        parameters_, view_.stand.place(i), (radius + dot) / scale_, [&](const Point2& at) {
+          for (long k = 0; k < dots; ++k) {
+            const double angle =
+                2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(dots);
+            canvas_.ring(scale_ * (at.x - ground.low.x) + radius * std::cos(angle),
+                         scale_ * (ground.high.y - at.y) + radius * std::sin(angle), 0.0, dot,
+                         {0.0, 0.0, 0.0}, 1.0);
+          }
+        });
   }
 
   const StandView& view_;

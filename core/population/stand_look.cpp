@@ -19,9 +19,18 @@ constexpr Colour rgb(int red, int green, int blue) {
   return {red / 255.0, green / 255.0, blue / 255.0};
 }
 
-constexpr std::array species_colours = {rgb(0, 158, 115), rgb(0, 114, 178),  rgb(204, 121, 167),
-                                        rgb(230, 159, 0), rgb(86, 180, 233), rgb(128, 128, 128),
-                                        rgb(200, 190, 40)};
+struct SpeciesColour {
+  Colour of_discs;
+  std::size_t of_curves;
+};
+
+constexpr std::array<SpeciesColour, species_hues> species_colours{{{rgb(0, 158, 115), 2},
+                                                                   {rgb(0, 114, 178), 0},
+                                                                   {rgb(204, 121, 167), 6},
+                                                                   {rgb(230, 159, 0), 1},
+                                                                   {rgb(86, 180, 233), 5},
+                                                                   {rgb(150, 110, 190), 3},
+                                                                   {rgb(200, 190, 40), 7}}};
 
 }  // namespace
 
@@ -35,10 +44,19 @@ std::size_t age_class(const Species& species, std::int32_t age) {
 
 Colour plant_colour(std::size_t species, std::size_t age) {
   constexpr double lighter = 0.12, darker = 0.35;
-  const Colour& own = species_colours[species % species_colours.size()];
+  const Colour& own = species_colours[species % species_hues].of_discs;
   // Beyond the list its colours come again, darker.
-  const Colour base = species < species_colours.size() ? own : mixed(own, black, darker);
+  const Colour base = species < species_hues ? own : mixed(own, black, darker);
   return mixed(base, white, lighter * static_cast<double>(age));
+}
+
+std::size_t curve_colour(std::size_t species) {
+  return species_colours[species % species_hues].of_curves;
+}
+
+double illness_ring(double stem_radius, double spacing) {
+  constexpr double gap = 2.5, smallest = 5.0;
+  return std::max(stem_radius + std::min(gap, 0.3 * spacing), std::min(smallest, 0.6 * spacing));
 }
 
 Colour oppressed_colour() {

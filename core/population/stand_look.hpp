@@ -16,10 +16,21 @@ inline constexpr std::size_t age_classes = 4;
 /// hundredths of its size ([Alsweis] (5.8)), or the largest age if it is less.
 std::size_t age_class(const Species& species, std::int32_t age);
 
-/// Okabe and Ito's colours, which colour-blind eyes tell apart; lighter by age.
+/// Okabe and Ito's colours, which colour-blind eyes tell apart, then purple and yellow; lighter by
+/// age.
 Colour plant_colour(std::size_t species, std::size_t age);
+/// Number of the colour, of curve_colours, whose hue is that of the species: the same for lines,
+/// which need more contrast than discs.
+std::size_t curve_colour(std::size_t species);
+/// So many species have hues of their own.
+inline constexpr std::size_t species_hues = 7;
 /// Their red, kept for plants under strong competition.
 Colour oppressed_colour();
+
+/// Radius of the broken circle around the stem of an ill plant: outside the stem and wide enough to
+/// be seen, but no nuisance where plants stand densely. `spacing` is that of equally many plants in
+/// a square lattice. All in pixels.
+double illness_ring(double stem_radius, double spacing);
 
 /// The map that lies below the plants, or none.
 const ResourceMap* background_of(const PopulationParameters& parameters);

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/contract/check.hpp"
-#include "core/picture/curve_legend.hpp"
+#include "core/picture/svg_text.hpp"
 #include "core/population/stand_look.hpp"
 #include "core/population/stand_statistics.hpp"
 
@@ -15,6 +15,12 @@ namespace phytobench {
 
 namespace {
 
+constexpr const char* haze = "#808080";
+constexpr const char* lightest = "#ffffff";  // richest ground
+constexpr const char* poorest = "#cccccc";   // haze at its darkest on it
+constexpr double darkest = 0.4;              // opacity of haze: plants must stand out from it
+constexpr const char* ill_style =
+    "fill=\"none\" stroke=\"currentColor\" stroke-width=\"1.2\" stroke-dasharray=\"2.4 1.6\"";
 constexpr double map_side = 640.0, narrowest = 360.0, margin = 8.0, row_height = 20.0;  // pixels
 
 /// 1, 2 or 5 times a power of ten, the largest that is no longer than this.
@@ -39,7 +45,7 @@ class StandSvg {
     std::string body = svg_text(margin, margin + 0.6 * row_height, "start", title);
     body += fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{:.2f}\" height=\"{:.2f}\">\n", margin, top,
                         scale_ * ground().width(), scale_ * ground().height());
-    body += background() + zones() + crowns() + stems() + "</svg>\n";
+    body += background() + zones() + crowns() + stems() + illness() + "</svg>\n";
     body += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"none\" "
         "stroke=\"currentColor\" stroke-opacity=\".5\"/>\n",
@@ -115,19 +121,35 @@ class StandSvg {
         [&](std::size_t i) { return view_.stand.stem_radius[i]; });
   }
 
+  bool is_ill(std::size_t i) const { return view_.stand.ill_since[i] != healthy; }
+
+  std::string illness() const {
+    const double spacing =
+        scale_ * std::sqrt(ground().area() /
+                           static_cast<double>(std::max<std::size_t>(1, view_.stand.size())));
+    return group(
+        ill_style, [&](std::size_t i) { return is_ill(i); },
+        [&](std::size_t i) {
+          return illness_ring(scale_ * view_.stand.stem_radius[i], spacing) / scale_;
+        });
+  }
+
   /// Haze where the ground is poor, in cells; neighbours of one grey in a row are one rectangle.
   std::string background() const {
     const ResourceMap* map = background_of(parameters_);
     if (map == nullptr) return {};
     constexpr int cells = 48, greys = 8;
-    constexpr double darkest = 0.4;  // plants must stand out from it
     const double width = ground().width() / cells, height = ground().height() / cells;
     const auto grey_at = [&](int column, int row) {
       const Point2 center{ground().low.x + (column + 0.5) * width,
                           ground().high.y - (row + 0.5) * height};
       return static_cast<int>(std::lround(greys * (1.0 - map->at(center))));
     };
-    std::string text = "<g fill=\"#808080\" shape-rendering=\"crispEdges\">";
+    // On a page of any colour poor ground is the darker one: it lies on white.
+    std::string text = fmt::format(
+        "<rect width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/><g fill=\"{}\" "
+        "shape-rendering=\"crispEdges\">",
+        scale_ * ground().width(), scale_ * ground().height(), lightest, haze);
     for (int row = 0; row < cells; ++row)
       for (int column = 0, next = 0; column < cells; column = next) {
         const int grey = grey_at(column, row);
@@ -176,6 +198,11 @@ class StandSvg {
     entry(fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"",
                       to_text(oppressed_colour())),
           fmt::format("loses more than half: {}", oppressed));
+    std::size_t ill = 0;
+    for (std::size_t i = 0; i < view_.stand.size(); ++i) ill += is_ill(i);
+    if (ill > 0) entry(ill_style, fmt::format("ill: {}", ill));
+    if (background_of(parameters_) != nullptr)
+      entry(fmt::format("fill=\"{}\"", poorest), "darker ground: poorer");
     return text;
   }
 

@@ -23,10 +23,11 @@ struct StandView {
 inline constexpr std::size_t most_plants_in_svg = 20'000;
 
 /// Root zones as circles, crowns as discs, stems as dots: a colour for each species, lighter with
-/// age, red zones where a plant loses more than half of its growth space. A map of nutrients, or
-/// else of light, lies below, hazy where it is poor. With a title, a legend that counts plants and
-/// a bar of length, all in the page's text colour. Ends of zones that reach across a torus are
-/// drawn on the other side. ContractViolation beyond most_plants_in_svg.
+/// age, red zones where a plant loses more than half of its growth space, broken circles around the
+/// stems of ill plants. A map of nutrients, or else of light, lies below, hazy where it is poor.
+/// With a title, a legend that counts plants and a bar of length, all in the page's text colour.
+/// Ends of zones that reach across a torus are drawn on the other side. ContractViolation beyond
+/// most_plants_in_svg.
 std::string stand_svg(const StandView& view, const std::string& title);
 
 /// The same without letters, for any number of plants, on white, as the bytes of a PNG file; `side`

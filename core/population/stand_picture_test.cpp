@@ -2,12 +2,14 @@
 #include "core/population/stand_picture.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/contract/errors.hpp"
+#include "core/picture/curve_svg.hpp"
 #include "core/population/stand_look.hpp"
 
 namespace phytobench {
@@ -139,6 +141,40 @@ TEST(StandImage, ShowsTheMapOfNutrientsBelow) {
   EXPECT_EQ(image.at(150, 50), white);
 }
 
+TEST(StandImage, MarksIllPlantsOutsideTheirStems) {
+  Scene scene;
+  scene.add({25.0, 25.0}, 20.0);
+  scene.add({75.0, 25.0}, 20.0);
+  const Image before = scene.image();
+  scene.stand.ill_since[1] = 7;
+  const Image after = scene.image();
+  const auto changed = [&](int column, int row) {
+    return before.at(column, row) != after.at(column, row);
+  };
+  int marked = 0;
+  for (int row = 0; row < 100; ++row)
+    for (int column = 0; column < 200; ++column)
+      if (changed(column, row)) {
+        ++marked;
+        const double distance = std::hypot(column + 0.5 - 150.0, row + 0.5 - 50.0);
+        EXPECT_GT(distance, 2.0);  // the stem has a radius of 1
+        EXPECT_LT(distance, 8.0);
+      }
+  EXPECT_GT(marked, 15);
+}
+
+TEST(StandSvg, MarksAndCountsIllPlantsIfThereAreAny) {
+  Scene scene;
+  scene.add({25.0, 25.0}, 10.0);
+  scene.add({75.0, 25.0}, 10.0);
+  const std::string healthy_stand = scene.svg();
+  EXPECT_THAT(healthy_stand, testing::Not(HasSubstr("ill: ")));
+  EXPECT_THAT(healthy_stand, testing::Not(HasSubstr("dasharray")));
+  scene.stand.ill_since[1] = 7;
+  EXPECT_THAT(scene.svg(), HasSubstr(">ill: 1<"));
+  EXPECT_EQ(circles_in(scene.svg()), circles_in(healthy_stand) + 2);  // with that of the legend
+}
+
 TEST(StandSvg, HasACircleForEveryPartOfAPlantAndTheLegend) {
   Scene scene;
   const std::ptrdiff_t legend = circles_in(scene.svg());
@@ -168,9 +204,11 @@ TEST(StandSvg, CountsItsPlantsAndEscapesTheirNames) {
 TEST(StandSvg, ShowsAMapOnlyWhereTheGroundIsPoor) {
   Scene scene;
   EXPECT_THAT(scene.svg(), testing::Not(HasSubstr("crispEdges")));
+  EXPECT_THAT(scene.svg(), testing::Not(HasSubstr("poorer")));
   scene.parameters.light = ResourceMap(2, 1, {0.0, 1.0}, scene.parameters.ground);
   const std::string svg = scene.svg();
   EXPECT_THAT(svg, HasSubstr("width=\"320.00\" height=\"6.67\" fill-opacity=\"0.400\""));
+  EXPECT_THAT(svg, HasSubstr(">darker ground: poorer<"));
 }
 
 TEST(StandSvg, TakesTwentyThousandPlantsAndRefusesMore) {
@@ -194,6 +232,24 @@ TEST(StandLook, AgeLightensUntilAPlantIsGrownUp) {
   EXPECT_EQ(age_class(species, 1000), 0u);
   for (std::size_t age = 1; age < age_classes; ++age)
     EXPECT_GT(plant_colour(0, age).red, plant_colour(0, age - 1).red);
+}
+
+TEST(StandLook, CurvesHaveTheHuesOfTheirSpecies) {
+  std::set<std::size_t> colours;
+  for (std::size_t species = 0; species < species_hues; ++species) {
+    EXPECT_LT(curve_colour(species), curve_colours);
+    EXPECT_TRUE(colours.insert(curve_colour(species)).second) << species;
+    EXPECT_EQ(curve_colour(species + species_hues), curve_colour(species));
+  }
+}
+
+TEST(StandLook, RingsOfIllPlantsLieOutsideStemsAndShrinkWhereTheyAreDense) {
+  for (const double stem : {0.1, 3.0, 40.0}) {
+    EXPECT_GT(illness_ring(stem, 50.0), stem + 2.0);
+    EXPECT_GE(illness_ring(stem, 50.0), 5.0);
+    EXPECT_GT(illness_ring(stem, 1.0), stem);
+    EXPECT_LT(illness_ring(stem, 1.0), stem + 1.0);
+  }
 }
 
 TEST(StandLook, SpeciesHaveColoursOfTheirOwn) {

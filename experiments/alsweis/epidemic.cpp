@@ -164,6 +164,7 @@ StandPanel panel_of(const Population& population, const std::string& caption) {
                   .colour = 2};
   StandLayer ill = well;
   ill.name = "of an ill plant";
+  ill.mark = StandMark::dashed_ring;
   ill.colour = 4;
   for (std::size_t i = 0; i < stand.size(); ++i) {
     StandLayer& layer = stand.ill_since[i] == healthy ? well : ill;

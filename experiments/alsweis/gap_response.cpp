@@ -183,22 +183,41 @@ void record_removal(ExperimentContext& context) {
   record_paired(context, "neighbours_grow_on", without_two, with_all, "m");
 }
 
-/// Stems five times as thick as they are; those that gain by the deaths apart from the rest.
+/// A plant's stem, five times as thick as it is, and its zone.
+void add_plant(const Population& population, double zone, std::size_t plant, StandLayer& stems,
+               StandLayer& zones) {
+  const Stand& stand = population.stand();
+  for (StandLayer* layer : {&stems, &zones}) layer->places.push_back(stand.place(plant));
+  stems.radii.push_back(5.0 * stand.stem_radius[plant]);
+  zones.radii.push_back(zone);
+}
+
+/// Plants that the deaths set free apart from the rest; the dying ones with their zones, later
+/// crosses where they stood.
 StandPanel panel_of(const Removal& removal, const Population& population, const ByPlant& gain,
                     const std::string& caption) {
-  StandLayer gaining{.name = "plant that gains by it", .places = {}, .radii = {}};
-  StandLayer rest{.name = "other plant", .places = {}, .radii = {}};
-  const Stand& stand = population.stand();
-  for (std::size_t i = 0; i < stand.size(); ++i) {
-    const auto own = gain.find(stand.id[i]);
-    StandLayer& layer = own != gain.end() && own->second > 0.01 ? gaining : rest;
-    layer.places.push_back(stand.place(i));
-    layer.radii.push_back(5.0 * stand.stem_radius[i]);
+  StandLayer rest{.name = "other plant", .places = {}, .radii = {}, .colour = 1};
+  StandLayer freed{.name = "neighbour set free", .places = {}, .radii = {}, .colour = 2};
+  StandLayer dying{
+      .name = "plant that dies, its zone dashed", .places = {}, .radii = {}, .colour = 3};
+  StandLayer zones{
+      .name = "root zone", .places = {}, .radii = {}, .mark = StandMark::ring, .colour = 0};
+  StandLayer last_zones{
+      .name = {}, .places = {}, .radii = {}, .mark = StandMark::dashed_ring, .colour = 3};
+  const std::vector<double> zone = population.root_radii();
+  for (std::size_t i = 0; i < zone.size(); ++i) {
+    const auto own = gain.find(population.stand().id[i]);
+    const bool dies = own == gain.end();
+    StandLayer& stems = dies ? dying : own->second > 0.01 ? freed : rest;
+    add_plant(population, zone[i], i, stems, dies ? last_zones : zones);
   }
-  StandLayer removed{.name = "where one dies",
-                     .places = removal.removed,
-                     .radii = std::vector<double>(removal.removed.size(), 2.5)};
-  return {.layers = {root_zones_of(population, 0), rest, gaining, removed}, .caption = caption};
+  if (dying.places.empty()) {
+    dying.places = removal.removed;
+    dying.radii.assign(removal.removed.size(), 1.5);
+    dying.mark = StandMark::cross;
+    dying.name = {};
+  }
+  return {.layers = {zones, last_zones, rest, freed, dying}, .caption = caption};
 }
 
 /// A part of the ground around a place, moved inside.
@@ -231,11 +250,13 @@ void draw_removal(ExperimentContext& context) {
   const Rectangle part = surroundings(removal.with_all.parameters().ground,
                                       end.place(static_cast<std::size_t>(at)), 70.0);
 
-  std::vector<StandPanel> panels = {panel_of(again, again.with_all, gain, "step 30")};
+  std::vector<StandPanel> panels = {
+      panel_of(again, again.with_all, gain, "step 30, before the death")};
   for (int step = steps_before + 1; step <= last_step; ++step) {
     again.step();
     if (step % steps_after == 0)
-      panels.push_back(panel_of(again, again.without_two, gain, fmt::format("step {}", step)));
+      panels.push_back(
+          panel_of(again, again.without_two, gain, fmt::format("step {}, cross: dead", step)));
   }
   context.artifact("figure-4.11.svg",
                    stand_panels_svg({.ground = part}, panels,

@@ -188,13 +188,15 @@ void draw_figure(ExperimentContext& context) {
     }
   }
   const auto even = lloyd_points(random_pattern(torus(), 200, context.seed(), 0), torus(), 20);
-  const auto caption = [](const char* letter, const std::vector<Point2>& points) {
-    return fmt::format("{}) H = {:.2f}", letter, hopkins_exact(points, torus()).mean_ratio);
+  const auto caption = [](const char* letter, const std::vector<Point2>& points,
+                          const char* published) {
+    return fmt::format("{}) H = {:.2f} of ours, {} published", letter,
+                       hopkins_exact(points, torus()).mean_ratio, published);
   };
   context.artifact("figure-2.4.svg",
-                   pattern_svg({{.points = even, .caption = caption("a", even)},
-                                {.points = best, .caption = caption("b", best)}},
-                               torus(), "Figure 2.4: an even and a clustered pattern"));
+                   pattern_svg({{.points = even, .caption = caption("a", even, "0.4")},
+                                {.points = best, .caption = caption("b", best, "2.4")}},
+                               torus(), "Figure 2.4: an even and a clustered pattern of ours"));
 }
 
 /// The same pattern, larger, smaller and in another order.

@@ -184,7 +184,7 @@ StandPanel stage_panel(const Population& population) {
                    .caption = fmt::format("share of light {}, step {}",
                                           population.parameters().competition.above_share,
                                           population.state().step)};
-  constexpr std::array<std::size_t, 6> colours = {4, 0, 1, 1, 2, 2};
+  constexpr std::array<std::size_t, 6> colours = {6, 7, 4, 4, 2, 2};
   for (std::size_t k = 0; k < colours.size(); ++k) panel.layers[k].colour = colours[k];
   panel.layers[0].name = "small meadow plant";
   return panel;

@@ -163,7 +163,7 @@ StandPanel panel_of(const Population& population, const std::string& caption) {
   panel.layers[1].name = "crown of a flower";
   panel.layers[2].name = "crown of the tree";
   panel.layers[3].name = "";
-  constexpr std::array<std::size_t, 4> colours = {2, 0, 1, 1};
+  constexpr std::array<std::size_t, 4> colours = {6, 7, 2, 2};
   for (std::size_t k = 0; k < colours.size(); ++k) panel.layers[k].colour = colours[k];
   return panel;
 }

@@ -135,7 +135,7 @@ StandPanel panel_of(const Population& population, const std::string& caption) {
   panel.layers[0].name = "crown of a seedling";
   panel.layers[1].name = "crown of a nurse plant";
   panel.layers[2].name = "";
-  constexpr std::array<std::size_t, 3> colours = {2, 1, 1};
+  constexpr std::array<std::size_t, 3> colours = {6, 2, 2};
   for (std::size_t k = 0; k < colours.size(); ++k) panel.layers[k].colour = colours[k];
   return panel;
 }

@@ -24,7 +24,8 @@ constexpr double side = 200.0;
 /// Strips of equal width from west to east, with their zone factors d of (4.1).
 using Strips = std::vector<double>;
 const Strips halves = {8.0, 15.0};
-/// In the order of [Alsweis] fig. 4.6, from most nutrients to least; it has no region V.
+/// In the order of [Alsweis] fig. 4.6, from most nutrients to least; it has no region V. Where the
+/// regions lie is not published: strips are ours.
 const Strips five_regions = {6.0, 8.0, 10.0, 12.5, 15.0};
 constexpr std::array region_names = {"I", "III", "II", "IV", "VI"};
 
@@ -131,8 +132,8 @@ void draw_bands(ExperimentContext& context, const Courses& courses) {
   }
   context.artifact("figure-4.8.svg",
                    curve_svg({panel},
-                             "Figure 4.8 in numbers: plants in five regions, from most "
-                             "nutrients (I) to least (VI)"));
+                             "Figure 4.8 in numbers: plants on five strips of ours, from "
+                             "most nutrients (I) to least (VI)"));
 }
 
 /// Which part of its plants each region keeps, and how often a poorer one keeps less.
@@ -179,7 +180,7 @@ void record_first_test(ExperimentContext& context) {
   record_mean(context, "first-test/border/nearest_distance", bordered, "m");
 }
 
-/// 100 plants that bear seeds, on the five regions, at three moments.
+/// 100 plants that bear seeds, on the five strips, at three moments.
 void draw_stands(ExperimentContext& context) {
   PopulationParameters parameters =
       plants_on(five_regions, "asymmetric", 100, seed_of_run(context, Question::figures, 0));
@@ -199,11 +200,11 @@ void draw_stands(ExperimentContext& context) {
                                      title));
   };
   draw("figure-4.6.svg",
-       "Figure 4.6: nutrients from I (left, most) to VI (least), 100 plants as sown");
+       "Five strips of ours in the order of figure 4.6: I, richest, on the left, to VI, poorest");
   for (const int moment : {40, 80}) {
     while (population.state().step < moment) population.step();
     draw(fmt::format("figure-4.7-step-{}.svg", moment),
-         fmt::format("Figure 4.7: asymmetric competition on five regions, step {}", moment));
+         fmt::format("Figure 4.7 on five strips of ours: asymmetric competition, step {}", moment));
   }
 }
 

@@ -213,7 +213,7 @@ void record_bad_years(ExperimentContext& context) {
 }
 
 CurvePanel years_panel(const std::vector<double>& survival, std::string caption) {
-  Curve bankers{.name = "bankers"}, others{.name = "non-bankers"};
+  Curve bankers{.name = "with seed bank"}, others{.name = "without seed bank"};
   const std::vector<SeedBankState> states = seed_bank_run(usual, ten_of_each, survival);
   for (std::size_t t = 0; t < states.size(); ++t) {
     for (Curve* curve : {&bankers, &others}) curve->x.push_back(static_cast<double>(t));
@@ -231,7 +231,7 @@ void draw_figure(ExperimentContext& context) {
   CounterStream stream(context.seed(), years_of_figure);
   const std::vector<double> constant(120, usual.largest_survival);
   const auto changing = survival_of_years(usual, 0.15, 120, stream);
-  Curve bankers{.name = "bankers"}, others{.name = "non-bankers"};
+  Curve bankers{.name = "with seed bank"}, others{.name = "without seed bank"};
   for (int percent = 0; percent <= 80; percent += 4) {
     const Persistence shares = persistence_of(context, percent / 100.0, 500);
     for (Curve* curve : {&bankers, &others}) curve->x.push_back(percent);

@@ -148,11 +148,8 @@ Persistence together(ExperimentContext& context, double bad_years) {
 }
 
 struct PersistenceCurves {
-  Curve bankers, others;
-
-  explicit PersistenceCurves(const std::string& where, CurveStyle style)
-      : bankers{.name = "with seed bank, " + where, .style = style, .colour = 0},
-        others{.name = "without, " + where, .style = style, .colour = 1} {}
+  Curve bankers{.name = "with seed bank", .x = {}, .y = {}, .colour = 0};
+  Curve others{.name = "without seed bank", .x = {}, .y = {}, .colour = 1};
 
   void add(double bad_years, const Persistence& persistence) {
     bankers.x.push_back(bad_years);
@@ -160,13 +157,21 @@ struct PersistenceCurves {
     others.x.push_back(bad_years);
     others.y.push_back(Persistence::share_left(persistence.non_banker_years));
   }
+
+  CurvePanel panel(const char* caption) const {
+    return {.curves = {bankers, others},
+            .caption = caption,
+            .x_label = "share of bad years",
+            .y_label = "share of runs",
+            .y_range = AxisRange{0.0, 1.0}};
+  }
 };
 
 CurvePanel course_panel(ExperimentContext& context) {
   const auto course =
       course_of(stand_of({60, 60}, 0.2, seed_of_run(context, Question::seed_bank, 0)));
   Curve bankers{.name = "plants with seed bank", .colour = 0},
-      others{.name = "plants without", .colour = 1},
+      others{.name = "plants without seed bank", .colour = 1},
       resting{.name = "resting seeds", .style = CurveStyle::dotted, .colour = 2};
   for (std::size_t t = 0; t < course.size(); ++t) {
     for (Curve* curve : {&bankers, &others, &resting}) curve->x.push_back(static_cast<double>(t));
@@ -202,7 +207,7 @@ void draw_stand(ExperimentContext& context) {
 }
 
 void run(ExperimentContext& context) {
-  PersistenceCurves apart("alone", CurveStyle::dashed), mixed("together", CurveStyle::solid);
+  PersistenceCurves apart, mixed;
   for (const double bad_years : bad_year_shares) {
     const Persistence own = alone(context, bad_years), both = together(context, bad_years);
     record_persistence(context, fmt::format("alone/bad-{}", bad_years), own);
@@ -210,14 +215,14 @@ void run(ExperimentContext& context) {
     apart.add(bad_years, own);
     mixed.add(bad_years, both);
   }
-  const CurvePanel persistence{.curves = {mixed.bankers, mixed.others, apart.bankers, apart.others},
-                               .caption = "who is left after 100 years",
-                               .x_label = "share of bad years",
-                               .y_label = "share of runs",
-                               .y_range = AxisRange{0.0, 1.0}};
-  context.artifact("seed-bank-stand.svg",
-                   curve_svg({course_panel(context), persistence},
-                             "Plants with and without a seed bank, with bad years"));
+  context.artifact(
+      "seed-bank-course.svg",
+      curve_svg({course_panel(context)}, "A hundred years of plants with and without a seed bank"));
+  context.artifact("seed-bank-persistence.svg",
+                   curve_svg({mixed.panel("together: who is left after 100 years"),
+                              apart.panel("each kind alone: who is left after 100 years")},
+                             "Who is left of plants with and without a seed bank, by the share of "
+                             "bad years"));
   draw_stand(context);
 }
 

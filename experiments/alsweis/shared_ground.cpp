@@ -8,7 +8,7 @@
 
 #include "core/overlap/coverage.hpp"
 #include "core/overlap/lens.hpp"
-#include "core/picture/curve_legend.hpp"
+#include "core/picture/svg_text.hpp"
 #include "core/random/counter_stream.hpp"
 #include "core/statistics/running_moments.hpp"
 #include "experiments/alsweis/zone_stand.hpp"

@@ -143,13 +143,15 @@ void record_spacing(ExperimentContext& context) {
   }
 }
 
-/// Zones are red where a plant loses more than half of its growth space, as in figure 4.7.
+/// Zones are red and dashed where a plant loses more than half of its growth space, as in
+/// figure 4.7.
 StandPanel stage_panel(Population& population, const Column& column) {
   const std::vector<double> loss = population.losses();
   const StandLayer zones = root_zones_of(population, 0);
   StandLayer free{.name = "zone", .places = {}, .radii = {}, .mark = StandMark::ring, .colour = 2};
   StandLayer oppressed = free;
   oppressed.name = "zone of a plant that does not grow";
+  oppressed.mark = StandMark::dashed_ring;
   oppressed.colour = 4;
   for (std::size_t i = 0; i < loss.size(); ++i) {
     StandLayer& layer = is_oppressed(loss[i]) ? oppressed : free;

@@ -11,6 +11,7 @@
 
 #include "core/contract/check.hpp"
 #include "core/picture/curve_legend.hpp"
+#include "core/picture/svg_text.hpp"
 
 namespace phytobench::experiments::alsweis {
 
@@ -94,11 +95,52 @@ std::string discs_svg(const std::vector<Mark>& marks, const std::string& colour)
   return svg;
 }
 
-std::string rings_svg(const std::vector<Mark>& marks, const std::string& colour) {
-  std::string svg = fmt::format("<g fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\">\n", colour);
+std::string rings_svg(const std::vector<Mark>& marks, const std::string& colour,
+                      const char* dashes) {
+  std::string svg =
+      fmt::format("<g fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"{}>\n", colour, dashes);
   for (const Mark& mark : marks)
     svg += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", mark.x, mark.y, mark.radius);
   return svg + "</g>\n";
+}
+
+std::string crosses_svg(const std::vector<Mark>& marks, const std::string& colour) {
+  std::string path;
+  for (const Mark& mark : marks) {
+    const int r = mark.radius;
+    path += fmt::format("M{} {}l{} {}m0 {}l{} {}", mark.x - r, mark.y - r, 2 * r, 2 * r, -2 * r,
+                        -2 * r, 2 * r);
+  }
+  return fmt::format("<path fill=\"none\" stroke=\"{}\" stroke-width=\"4\" d=\"{}\"/>\n", colour,
+                     path);
+}
+
+CurveStyle style_of(StandMark mark) {
+  switch (mark) {
+    case StandMark::disc:
+      return CurveStyle::points;
+    case StandMark::dashed_ring:
+      return CurveStyle::dashed;
+    case StandMark::ring:
+    case StandMark::cross:
+      break;
+  }
+  return CurveStyle::solid;
+}
+
+std::string marks_svg(StandMark mark, const std::vector<Mark>& marks, const std::string& colour) {
+  if (marks.empty()) return {};
+  switch (mark) {
+    case StandMark::disc:
+      return discs_svg(marks, colour);
+    case StandMark::cross:
+      return crosses_svg(marks, colour);
+    case StandMark::dashed_ring:
+      return rings_svg(marks, colour, " stroke-dasharray=\"9 6\"");
+    case StandMark::ring:
+      break;
+  }
+  return rings_svg(marks, colour, "");
 }
 
 std::string panel_svg(const Scale& scale, const StandPanel& panel, Point2 corner,
@@ -110,15 +152,12 @@ std::string panel_svg(const Scale& scale, const StandPanel& panel, Point2 corner
       corner.x, corner.y, width, height, scale.width(), scale.height());
   for (const StandLayer& layer : panel.layers) {
     PHYTOBENCH_EXPECT(layer.places.size() == layer.radii.size());
-    const bool is_disc = layer.mark == StandMark::disc;
-    const std::string colour =
-        legend.colour_of({.name = layer.name,
-                          .x = {},
-                          .y = {},
-                          .style = is_disc ? CurveStyle::points : CurveStyle::solid,
-                          .colour = layer.colour});
-    const std::vector<Mark> marks = scale.marks_of(layer);
-    if (!marks.empty()) svg += is_disc ? discs_svg(marks, colour) : rings_svg(marks, colour);
+    const std::string colour = legend.colour_of({.name = layer.name,
+                                                 .x = {},
+                                                 .y = {},
+                                                 .style = style_of(layer.mark),
+                                                 .colour = layer.colour});
+    svg += marks_svg(layer.mark, scale.marks_of(layer), colour);
   }
   svg += fmt::format(
       "</svg>\n<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\" fill=\"none\" "

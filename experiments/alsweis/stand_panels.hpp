@@ -15,6 +15,8 @@ namespace phytobench::experiments::alsweis {
 enum class StandMark {
   disc,  ///< filled, for stems: at least a visible dot
   ring,  ///< an outline, for zones
+  dashed_ring,
+  cross,  ///< where a plant has been; in the legend as a line: better explained in a caption
 };
 
 /// Plants that look alike.

@@ -39,6 +39,16 @@ TEST(StandPanels, RingsAndDiscsLieWhereTheirPlantsStand) {
             std::string::npos);
 }
 
+TEST(StandPanels, DashedRingsAreDashedAndCrossesReachAsFarAsTheirRadius) {
+  const std::string dashed = drawn(ten_metres, one(StandMark::dashed_ring, {2.0, 7.0}, 1.5));
+  EXPECT_NE(dashed.find("<circle cx=\"40\" cy=\"60\" r=\"30\"/>"), std::string::npos);
+  EXPECT_EQ(count_of("stroke-dasharray", dashed), 2u) << "on the map and in the legend";
+  EXPECT_EQ(count_of("stroke-dasharray", drawn(ten_metres, one(StandMark::ring, {2, 7}, 1.5))), 0u);
+  EXPECT_NE(drawn(ten_metres, one(StandMark::cross, {2.0, 7.0}, 0.5))
+                .find("d=\"M30 50l20 20m0 -20l-20 20\""),
+            std::string::npos);
+}
+
 TEST(StandPanels, ThinStemsAreStillSeen) {
   EXPECT_NE(drawn(ten_metres, one(StandMark::disc, {5.0, 5.0}, 1e-6)).find("stroke-width=\"4\""),
             std::string::npos);

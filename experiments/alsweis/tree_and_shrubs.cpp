@@ -226,19 +226,22 @@ void record_decline(ExperimentContext& context) {
   }
 }
 
-/// Zones of tree and shrubs; meadow and flowers would hide each other.
+/// Stems, with zones of tree and shrubs; those of meadow and flowers would hide each other.
 StandPanel stage_panel(const Population& population) {
   StandPanel panel{.layers = {}, .caption = fmt::format("step {}", population.state().step)};
   for (const SpeciesIndex kind :
        {SpeciesIndex{2}, SpeciesIndex{3}, SpeciesIndex{1}, SpeciesIndex{0}}) {
-    constexpr std::array<std::size_t, kinds> colours = {2, 1, 4, 0};  // as the text has them
+    constexpr std::array<std::size_t, kinds> colours = {2, 0, 6, 7};
     std::vector<StandLayer> layers;
     if (kind < 2) {
       layers.push_back(root_zones_of(population, kind));
       layers.push_back(crown_zones_of(population, kind));
-      layers[0].name = layers[1].name = "";
+      layers[0].name = fmt::format("{}: crown (inner ring), roots (outer)",
+                                   population.parameters().species[kind].name);
+      layers[1].name = "";
     }
     layers.push_back(stems_of(population, kind));
+    if (kind < 2) layers.back().name = "";
     for (StandLayer& layer : layers) {
       layer.colour = colours[kind];
       panel.layers.push_back(layer);
@@ -261,9 +264,10 @@ void draw_scene(ExperimentContext& context) {
   const Rectangle view{the_tree.place - Point2{half, half}, the_tree.place + Point2{half, half}};
   context.artifact(
       "figure-5.7.svg",
-      stand_panels_svg({.ground = view, .columns = 4, .panel_width = 230.0}, panels,
-                       "Figure 5.7: four stages of a tree, 155 shrubs, 4000 meadow plants and 200 "
-                       "flowers; the middle 30 m of 60 m; circles are crown and root zones"));
+      stand_panels_svg(
+          {.ground = view, .columns = 4, .panel_width = 230.0}, panels,
+          "Figure 5.7: four stages of a tree, 155 shrubs, 4000 meadow plants and 200 "
+          "flowers; the middle 30 m of 60 m; inner rings are crowns, outer ones roots"));
 }
 
 void run(ExperimentContext& context) {

@@ -72,4 +72,18 @@ std::string shown(const RecordValue& value) {
   return shown(std::get<double>(value));
 }
 
+std::string shown_range(double low, double high) {
+  if (low == high) return "= " + shown(low);
+  const double half = (high - low) / 2.0, centre = low + half;
+  const auto is_close = [&](const std::string& text, double value) {
+    return std::abs(std::stod(text) - value) <= half / 10.0;
+  };
+  if (is_close(shown(low), low) && is_close(shown(high), high))
+    return fmt::format("{} to {}", shown(low), shown(high));
+  std::string text = shown(centre);
+  for (int digits = 7; digits <= 17 && !is_close(text, centre); ++digits)
+    text = fmt::format("{:.{}g}", centre, digits);
+  return fmt::format("{} ± {:.2g}", text, half);
+}
+
 }  // namespace phytobench

@@ -44,4 +44,9 @@ class Evidence {
 std::string shown(const RecordValue& value);
 std::string shown(double value);
 
+/// Bounds as they are shown: "1 to 2", or, where rounding to the shown digits would move a bound by
+/// more than a twentieth of what lies between, "1.2283742 ± 1e-06" with as many digits of the
+/// centre as that half-width asks for; "= 1" where both are one number.
+std::string shown_range(double low, double high);
+
 }  // namespace phytobench

@@ -103,5 +103,23 @@ TEST(ShownValue, HoldsTextsUntouched) {
   EXPECT_EQ(shown(RecordValue{std::string("500fa216eb9f6dc4")}), "500fa216eb9f6dc4");
 }
 
+TEST(ShownRange, ShowsBoundsThatRoundingLeavesInPlace) {
+  EXPECT_EQ(shown_range(1.0, 2.5), "1 to 2.5");
+  EXPECT_EQ(shown_range(-1e-6, 1e-6), "-1e-06 to 1e-06");
+  EXPECT_EQ(shown_range(1.0 / 3.0, 2.0 / 3.0), "0.333333 to 0.666667");
+  EXPECT_EQ(shown_range(1234566.0, 1234568.0), "1234566 to 1234568");
+}
+
+TEST(ShownRange, ShowsCentreAndHalfWidthOfBoundsThatRoundingWouldMove) {
+  EXPECT_EQ(shown_range(0.5 - 1e-9, 0.5 + 1e-9), "0.5 ± 1e-09");
+  EXPECT_EQ(shown_range(-1.0 - 1e-9, -1.0 + 1e-9), "-1 ± 1e-09");
+  EXPECT_EQ(shown_range(1.22837 - 1e-6, 1.22837 + 1e-6), "1.22837 ± 1e-06");
+  EXPECT_EQ(shown_range(1.2283742 - 1e-6, 1.2283742 + 1e-6), "1.2283742 ± 1e-06");
+}
+
+TEST(ShownRange, ShowsOneNumberAsEqual) {
+  EXPECT_EQ(shown_range(1.0, 1.0), "= 1");
+}
+
 }  // namespace
 }  // namespace phytobench

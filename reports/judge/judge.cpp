@@ -63,7 +63,7 @@ std::string wanted_of(const ClaimCheck& check) {
   else if (check.equals)
     text = "= " + shown(*check.equals);
   else if (check.low && check.high)
-    text = fmt::format("{} to {}", shown(*check.low), shown(*check.high));
+    text = shown_range(*check.low, *check.high);
   else if (check.low)
     text = ">= " + shown(*check.low);
   else

@@ -12,6 +12,19 @@ namespace phytobench::competition_rules {
 
 namespace {
 
+/// Pairs as other rules count them: across a border a plant meets an image of the other, and the
+/// other one of it.
+std::uint64_t pairs_of_plants(const OverlapPairs& pairs, std::size_t plants) {
+  std::uint64_t inside = 0, across = 0;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const bool first = static_cast<std::size_t>(pairs.first()[k]) < plants;
+    const bool second = static_cast<std::size_t>(pairs.second()[k]) < plants;
+    inside += first && second;
+    across += first != second;
+  }
+  return inside + across / 2;
+}
+
 class ExactShares final : public CompetitionRule {
  public:
   explicit ExactShares(const CompetitionParameters& parameters)
@@ -21,9 +34,11 @@ class ExactShares final : public CompetitionRule {
               std::span<double> loss) override {
     const Discs& zone = plants.below;
     const SharingLaw law{.exponent = exponent_, .tie_order = tie_order(plants)};
-    // The search knows the plane alone: images come as discs of their own.
-    const PairFinder find = [&search](const Discs& discs) -> const OverlapPairs& {
-      return search.find(discs, {});
+    // The search knows the plane alone: images come as discs of their own, behind the plants.
+    const PairFinder find = [&](const Discs& discs) -> const OverlapPairs& {
+      const OverlapPairs& pairs = search.find_uncounted(discs, {});
+      search.count_pairs(pairs_of_plants(pairs, plants.size()));
+      return pairs;
     };
     ground_shares(zone, ground, law, search.threads(), find, loss);
     for_blocks(loss.size(), search.threads(), [&](std::size_t begin, std::size_t end) {

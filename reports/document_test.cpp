@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "reports/document.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace phytobench {
+namespace {
+
+using nlohmann::ordered_json;
+
+Claim claim_of(const std::string& id, const std::string& basis) {
+  Claim claim;
+  claim.id = id;
+  claim.basis = basis;
+  return claim;
+}
+
+/// Two works; only the second was run: one claim holds, one by fitting, one lacks evidence.
+struct PartialRun {
+  Claim plain = claim_of("b/plain", "paper"), fitted = claim_of("b/fitted", "fitted"),
+        absent = claim_of("a/absent", "paper");
+  JudgedRun judged;
+
+  PartialRun() {
+    const std::vector<JudgedCheck> measured = {{.terms = {{.outcome = CheckOutcome::holds}}}};
+    judged.papers.resize(2);
+    judged.papers[0].paper.key = "a";
+    judged.papers[0].judgements = {{.claim = &absent, .checks = {{.terms = {{}}}}}};
+    judged.papers[1].paper.key = "b";
+    judged.papers[1].judgements = {
+        {.claim = &plain, .verdict = Verdict::reproduced, .checks = measured},
+        {.claim = &fitted, .verdict = Verdict::reproduced, .checks = measured}};
+    judged.run.header = {Tier::smoke, 3};
+    judged.run.complete_experiments = {"b/x"};
+  }
+
+  ordered_json document() const {
+    return make_document(
+        judged, {.environment_json = R"({"command_line": "phytobench run b/* --out here"})",
+                 .run_folder = "here",
+                 .pictures = {{"b/x/drawn.svg", "<svg aria-label=\"Drawn\"/>"}},
+                 .photographs = {},
+                 .plots = {}});
+  }
+};
+
+TEST(Document, PutsWorksThatWereNotRunAfterTheOthers) {
+  const ordered_json document = PartialRun().document();
+  EXPECT_EQ(document["papers"][0]["key"], "b");
+  EXPECT_EQ(document["papers"][0]["in_run"], true);
+  EXPECT_EQ(document["papers"][1]["key"], "a");
+  EXPECT_EQ(document["papers"][1]["in_run"], false);
+}
+
+TEST(Document, CountsTheClaimsThatHadAMeasurement) {
+  const ordered_json document = PartialRun().document();
+  EXPECT_EQ(document["run"]["claims"], 3);
+  EXPECT_EQ(document["run"]["measured_claims"], 2);
+  EXPECT_EQ(document["run"]["open"], 1);
+}
+
+TEST(Document, CountsFittedVerdictsApartFromPlainOnes) {
+  const ordered_json document = PartialRun().document();
+  EXPECT_EQ(document["run"]["reproduced"], 1);
+  EXPECT_EQ(document["run"]["fitted"], 1);
+  EXPECT_EQ(document["counts"][0]["verdict"], "reproduced");
+  EXPECT_EQ(document["counts"][0]["total"], 1);
+  EXPECT_EQ(document["counts"][1]["verdict"], "reproduced, fitted");
+  EXPECT_EQ(document["counts"][1]["total"], 1);
+}
+
+TEST(Document, RepeatsTheSelectionOfTheRun) {
+  EXPECT_EQ(PartialRun().document()["repeat"]["run"],
+            "phytobench run 'b/*' --tier smoke --seed 3 --out results/again");
+}
+
+TEST(Document, ShowsFiguresInTheirWorkAlone) {
+  const ordered_json document = PartialRun().document();
+  EXPECT_EQ(document["papers"][0]["has_pictures"], true);
+  EXPECT_EQ(document["papers"][0]["pictures"][0]["caption"], "Drawn");
+  EXPECT_EQ(document["papers"][1]["has_pictures"], false);
+}
+
+}  // namespace
+}  // namespace phytobench
