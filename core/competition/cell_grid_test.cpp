@@ -13,26 +13,15 @@
 #include "core/competition/neighbour_field.hpp"
 #include "core/contract/errors.hpp"
 #include "core/overlap/ground_shares.hpp"
+#include "core/overlap/test_discs.hpp"
 #include "core/random/counter_stream.hpp"
 
 namespace phytobench {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-struct Scene {
-  std::vector<double> x, y, radius;
-  Ground ground;
-
-  void add(double px, double py, double r) {
-    x.push_back(px);
-    y.push_back(py);
-    radius.push_back(r);
-  }
-  std::size_t size() const { return x.size(); }
-  Discs discs() const { return {x, y, radius}; }
-};
+using testing_discs::infinite;
+using testing_discs::pi;
+using testing_discs::Scene;
 
 Scene random_scene(std::uint64_t seed, std::size_t count, bool on_torus) {
   Scene scene;
