@@ -117,7 +117,8 @@ ClaimCheck check_from(const TomlTable& table, const std::string& paper) {
 
 Claim claim_from(const TomlTable& table, const std::string& paper) {
   table.allow_only({"id", "locator", "kind", "text", "published", "unit", "digits", "basis", "tier",
-                    "expected_verdict", "erratum", "verdict", "reason", "check"});
+                    "expected_verdict", "predicted_verdict", "difference", "missing_model",
+                    "erratum", "verdict", "reason", "check"});
   Claim claim;
   claim.id = table.text("id");
   if (claim.id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789./_-") != std::string::npos ||
@@ -134,6 +135,10 @@ Claim claim_from(const TomlTable& table, const std::string& paper) {
   claim.basis = bases[word(table, "basis", bases)];
   claim.tier = static_cast<Tier>(word(table, "tier", tiers));
   claim.expected_verdict = verdict_of(table, "expected_verdict");
+  if (table.has("predicted_verdict"))
+    claim.predicted_verdict = verdict_of(table, "predicted_verdict");
+  claim.difference = table.text_or("difference", "");
+  claim.missing_model = table.text_or("missing_model", "");
   claim.erratum = table.text_or("erratum", "");
   claim.reason = table.text("reason");
   for (const TomlTable& check : table.tables("check"))
@@ -142,6 +147,8 @@ Claim claim_from(const TomlTable& table, const std::string& paper) {
   if (claim.fixed_verdict.has_value() != claim.checks.empty())
     table.fail("a claim has either checks or a fixed verdict");
   if (claim.reason.empty()) table.fail("a claim needs a reason");
+  if (!claim.missing_model.empty() && claim.fixed_verdict != Verdict::not_measured)
+    table.fail("'missing_model' goes with verdict = \"not measured\" only");
   return claim;
 }
 
@@ -213,11 +220,14 @@ std::string PublishedTable::companion_at(std::size_t row, std::size_t column,
 
 PaperClaims load_claims_file(const std::string& file, const std::string& paper) {
   const TomlTable root = TomlTable::read(file);
-  root.allow_only({"claim", "table"});
+  root.allow_only({"topic", "order", "claim", "table"});
+  const std::string topic = root.text_or("topic", "");
   PaperClaims result;
+  result.order = root.number_if_given("order").value_or(0.0);
   std::set<std::string> ids;
   for (const TomlTable& table : root.tables("claim")) {
     result.claims.push_back(claim_from(table, paper));
+    result.claims.back().topic = topic;
     if (!ids.insert(result.claims.back().id).second)
       table.fail(fmt::format("claim '{}' stands here twice", result.claims.back().id));
   }
@@ -231,10 +241,14 @@ PaperClaims load_claims_file(const std::string& file, const std::string& paper) 
 }
 
 PaperClaims load_claims(const std::string& paper) {
+  std::vector<std::pair<std::filesystem::path, PaperClaims>> files;
+  for (const std::filesystem::path& file : paper_files(paper, "claims"))
+    files.emplace_back(file, load_claims_file(file.string(), paper));
+  std::stable_sort(files.begin(), files.end(),
+                   [](const auto& a, const auto& b) { return a.second.order < b.second.order; });
   PaperClaims all;
   std::set<std::string> ids;
-  for (const std::filesystem::path& file : paper_files(paper, "claims")) {
-    PaperClaims part = load_claims_file(file.string(), paper);
+  for (auto& [file, part] : files) {
     for (Claim& claim : part.claims) {
       if (!ids.insert(claim.id).second)
         throw InputError(fmt::format("{}: claim '{}' stands in another file of the paper, too",

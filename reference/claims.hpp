@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a paper claims (reference/papers/<key>/claims.toml, or claims/*.toml). Only reports/ and
-// tests may include this: no experiment can be tuned to a number it cannot see.
+// What a paper claims (reference/papers/<key>/claims/*.toml). Only reports/ and tests may include
+// this: no experiment can be tuned to a number it cannot see.
 #pragma once
 
 #include <optional>
@@ -68,7 +68,13 @@ struct Claim {
   std::string basis;
   Tier tier = Tier::smoke;
   Verdict expected_verdict = Verdict::reproduced;
-  std::string erratum;                   ///< id of the erratum that makes it hold; empty: none
+  /// The verdict we derived from the text before anything was built; what the run gives is compared
+  /// with it in the report. Absent only while a claim is being written.
+  std::optional<Verdict> predicted_verdict;
+  std::string difference;     ///< why the expected verdict is not the predicted one; else empty
+  std::string missing_model;  ///< model that is not built yet and keeps it unmeasured; else empty
+  std::string topic;          ///< heading of its file
+  std::string erratum;        ///< id of the erratum that makes it hold; empty: none
   std::optional<Verdict> fixed_verdict;  ///< for claims without checks
   std::string reason;
   std::vector<ClaimCheck> checks;
@@ -97,10 +103,12 @@ struct PublishedTable {
 struct PaperClaims {
   std::vector<Claim> claims;
   std::vector<PublishedTable> tables;
+  double order = 0.0;  ///< of a file: its place among the paper's files
 };
 
-/// Throws InputError with file and line for a missing or unknown key, an unknown word, a duplicate
-/// id, a claim with neither checks nor fixed verdict, or a check without bounds.
+/// In the order of the files' `order` (root key, with `topic`), then of their names. Throws
+/// InputError with file and line for a missing or unknown key, an unknown word, a duplicate id, a
+/// claim with neither checks nor fixed verdict, or a check without bounds.
 PaperClaims load_claims(const std::string& paper);
 
 /// The same from a file; `paper` prefixes the measurements.

@@ -115,6 +115,7 @@ JudgedRun judge_run(RunContents run) {
     judged.papers.push_back({.paper = load_paper(key),
                              .claims = load_claims(key),
                              .errata = load_errata(key),
+                             .assumptions = load_assumptions(key),
                              .judgements = {},
                              .tables = {}});
   // The judgements point into the claims, which must not move any more.

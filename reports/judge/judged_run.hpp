@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/assumptions.hpp"
 #include "reference/errata.hpp"
 #include "reference/papers.hpp"
 #include "reports/judge/judge.hpp"
@@ -36,6 +37,7 @@ struct JudgedPaper {
   Paper paper;
   PaperClaims claims;
   std::vector<Erratum> errata;
+  std::vector<Assumption> assumptions;
   std::vector<Judgement> judgements;  ///< in the order of the claims
   std::vector<JudgedTable> tables;
 };
