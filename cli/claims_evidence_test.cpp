@@ -10,37 +10,95 @@
 #include "experiments/experiment_registry.hpp"
 #include "experiments/run_experiments.hpp"
 #include "reference/claims.hpp"
+#include "reference/papers.hpp"
 #include "reports/judge/judged_run.hpp"
+#include "reports/judge/smallest_refutation.hpp"
 
 namespace phytobench {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// Last parts of the names of times. A smoke run does not take them, only what stands beside them.
+bool is_time(const std::string& measurement) {
+  const std::string last = measurement.substr(measurement.rfind('/') + 1);
+  return last == "seconds" || last.ends_with("_seconds");
+}
+
+/// A claim that names what no experiment measures could never be judged.
 void expect_every_measurement_recorded(const RunContents& run) {
-  std::set<std::string> recorded;
-  std::set<std::string> cells;  // of Table 1, whose times a smoke run does not take
+  std::set<std::string> recorded, groups;
   for (const Record& record : run.records) {
     recorded.insert(record.measurement);
-    cells.insert(record.measurement.substr(0, record.measurement.rfind('/')));
+    groups.insert(record.measurement.substr(0, record.measurement.rfind('/')));
   }
-  const std::set<std::string> times = {"seconds", "association_seconds", "kill_seconds",
-                                       "growth_seconds"};
-  for (const Claim& claim : load_claims("brzoska2019").claims)
-    for (const ClaimCheck& check : claim.checks)
-      for (const auto& term : check.terms)
-        for (const std::string& part : term) {
-          const std::string id = check.subject == CheckSubject::sum ? part.substr(1) : part;
-          const std::size_t slash = id.rfind('/');
-          if (check.subject == CheckSubject::matches) {  // a smoke run takes a sample, named so
-            EXPECT_TRUE(recorded.contains(id.substr(0, id.rfind('/', slash - 1)) + "/tried"))
-                << claim.id << " names " << id;
-            continue;
-          }
-          const bool is_time =
-              times.contains(id.substr(slash + 1)) && cells.contains(id.substr(0, slash));
-          EXPECT_TRUE(is_time || recorded.contains(id)) << claim.id << " names " << id;
-        }
+  const auto is_measured = [&](const ClaimCheck& check, const std::string& id) {
+    const std::size_t slash = id.rfind('/');
+    if (check.subject == CheckSubject::matches)  // a smoke run takes a sample, named so
+      return recorded.contains(id.substr(0, id.rfind('/', slash - 1)) + "/tried");
+    return recorded.contains(id) || (is_time(id) && groups.contains(id.substr(0, slash)));
+  };
+  for (const std::string& paper : paper_keys())
+    for (const Claim& claim : load_claims(paper).claims)
+      for (const ClaimCheck& check : claim.checks)
+        for (const auto& term : check.terms)
+          for (const std::string& part : term)
+            EXPECT_TRUE(is_measured(check, measurement_of(check, part)))
+                << claim.id << " names " << part;
+}
+
+/// The judge on the same values, times as samples of three rounds that took equally long.
+Verdict verdict_on_samples(const Claim& claim, const Measurements& measurements) {
+  RunContents run;
+  for (const auto& [name, value] : measurements) {
+    if (const auto* seconds = std::get_if<double>(&value); seconds && is_time(name)) {
+      for (const std::int64_t round : {0, 1, 2})
+        run.timings.push_back(
+            {.experiment = "", .measurement = name, .round = round, .value = *seconds});
+    } else {
+      run.records.push_back({.experiment = "", .measurement = name, .value = value});
+    }
+  }
+  return judge(claim, Evidence(run), Tier::full).verdict;
+}
+
+/// Every change of a refutation: those of several measurements are of one proportion.
+Measurements refuted(Measurements measurements, const Refutation& refutation) {
+  measurements.at(refutation.measurements[0]) = refutation.after;
+  const auto* before = std::get_if<double>(&refutation.before);
+  const auto* after = std::get_if<double>(&refutation.after);
+  for (std::size_t i = 1; i < refutation.measurements.size() && before && after; ++i)
+    std::get<double>(measurements.at(refutation.measurements[i])) *= *after / *before;
+  return measurements;
+}
+
+/// On what was measured, completed and changed where that does not reach, `claim` must hold; and
+/// changing one measurement, or one of each term, must refute it.
+void expect_can_hold_and_fail(const Claim& claim, const Evidence& evidence) {
+  const auto held = fulfilled(claim, measurements_of(claim, evidence));
+  ASSERT_TRUE(held) << "no measurements fulfil it";
+  const auto refutation = smallest_refutation(claim, *held);
+  ASSERT_TRUE(refutation) << "no measurement refutes it";
+  if (!is_time(refutation->measurements[0])) return;
+  EXPECT_NE(verdict_on_samples(claim, *held), Verdict::not_reproduced);
+  EXPECT_EQ(verdict_on_samples(claim, refuted(*held, *refutation)), Verdict::not_reproduced);
+}
+
+/// Each check alone, too: one that cannot fail hides behind one that can.
+void expect_every_claim_can_hold_and_fail(const RunContents& run) {
+  const Evidence evidence(run);
+  for (const std::string& paper : paper_keys())
+    for (const Claim& claim : load_claims(paper).claims) {
+      if (claim.checks.empty()) continue;
+      SCOPED_TRACE(claim.id);
+      expect_can_hold_and_fail(claim, evidence);
+      for (std::size_t i = 0; i < claim.checks.size(); ++i) {
+        SCOPED_TRACE("check " + std::to_string(i + 1));
+        Claim alone = claim;
+        alone.checks = {claim.checks[i]};
+        expect_can_hold_and_fail(alone, evidence);
+      }
+    }
 }
 
 void expect_no_unexpected_verdict(const JudgedRun& judged) {
@@ -99,6 +157,7 @@ TEST(ClaimsEvidenceSlow, ASmokeRunMeasuresWhatClaimsNameAndSurprisesNobody) {
   fs::remove_all(folder);
   fs::remove_all(again);
   expect_every_measurement_recorded(run);
+  expect_every_claim_can_hold_and_fail(run);
   const JudgedRun judged = judge_run(run);
   expect_no_unexpected_verdict(judged);
   expect_timing_claims_not_measured(judged);

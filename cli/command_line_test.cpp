@@ -265,7 +265,7 @@ TEST_F(CommandLine, WritesOneJsonObjectPerLine) {
   ASSERT_TRUE(std::getline(stream, line));
   const json header = json::parse(line, nullptr, false);
   ASSERT_TRUE(header.is_object());
-  EXPECT_EQ(text_at(header, "schema"), "phytobench/records-1");
+  EXPECT_EQ(text_at(header, "schema"), "phytobench/records-2");
   EXPECT_EQ(text_at(header, "tier"), "smoke");
   while (std::getline(stream, line))
     EXPECT_TRUE(json::parse(line, nullptr, false).is_object()) << line;

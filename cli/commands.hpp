@@ -29,9 +29,9 @@ struct RunOptions {
 int run(const RunOptions& options);
 
 struct ReportOptions {
-  std::string folder;
-  std::string out;  ///< empty: <folder>/report
-  std::vector<std::string> formats{"html", "md", "csv"};
+  std::vector<std::string> folders;  ///< of runs; several are merged
+  std::string out;                   ///< empty: <folder>/report, of one run only
+  std::vector<std::string> formats{"html", "md", "latex", "csv", "junit"};
   bool without_varying = false;
   bool strict = false;
 };

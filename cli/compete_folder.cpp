@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli/compete_folder.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <iterator>
 #include <limits>
-#include <memory>
 #include <regex>
 #include <set>
 
@@ -19,6 +11,7 @@
 
 #include "core/contract/errors.hpp"
 #include "core/population/checkpoint.hpp"
+#include "core/record/append_to_file.hpp"
 
 namespace phytobench::cli {
 
@@ -31,24 +24,6 @@ constexpr std::uintmax_t any_size = std::numeric_limits<std::uintmax_t>::max();
 /// What a run leaves, apart from its inputs.
 constexpr const char* file_names[] = {"checkpoint.bin", "steps.csv",  "plants.csv",   "stand.svg",
                                       "stand.png",      "curves.svg", "summary.json", "frames"};
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
-/// Appends, or leaves the file as long as it was.
-void append_or_restore(const fs::path& file, const std::string& text, std::uint64_t old_size) {
-  const std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(file.c_str(), "ab"));
-  const bool written = stream != nullptr &&
-                       std::fwrite(text.data(), 1, text.size(), stream.get()) == text.size() &&
-                       std::fflush(stream.get()) == 0 && ::fsync(::fileno(stream.get())) == 0;
-  if (written) return;
-  const int reason = errno;
-  std::error_code error;
-  if (stream != nullptr) fs::resize_file(file, old_size, error);
-  throw EnvironmentError("cannot write " + file.string() + ": " + std::strerror(reason) +
-                         "; what was written before is kept, make room and go on with --resume");
-}
 
 }  // namespace
 
@@ -72,7 +47,7 @@ CompeteFolder::CompeteFolder(fs::path folder, std::vector<Setting> settings, Fra
 void CompeteFolder::begin(const CompeteProgress& progress) {
   refuse_files_of_others();
   make_folder(folder_);
-  lock();
+  lock_ = FolderLock(folder_);
   remove_leftovers();
   save(progress.state, progress.pairs);
   write_inputs();
@@ -95,7 +70,7 @@ void CompeteFolder::refuse_files_of_others() const {
 CompeteProgress CompeteFolder::resume(std::int32_t last_step) {
   const fs::path file = checkpoint_file();
   std::error_code error;
-  if (fs::is_directory(folder_, error)) lock();
+  lock_ = FolderLock(folder_);
   if (!fs::exists(file, error))
     throw InputError(
         fmt::format("{}: holds no checkpoint.bin to go on from{}", folder_.string(),
@@ -145,19 +120,6 @@ void CompeteFolder::finish(std::vector<FileContent> files, bool keeps_checkpoint
   // One that a shorter run has left when it had fewer plants.
   if (!has_svg) fs::remove(folder_ / "stand.svg", ignored);
   if (!keeps_checkpoint) fs::remove(checkpoint_file(), ignored);
-}
-
-/// Two runs in one folder would write over each other. The system lets go of the lock with the
-/// program, however it ends.
-void CompeteFolder::lock() {
-  lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    throw InputError(folder_.string() +
-                     ": another run is writing there; wait for it, or use another --out");
-}
-
-CompeteFolder::~CompeteFolder() {
-  if (lock_ >= 0) ::close(lock_);
 }
 
 void CompeteFolder::append_rows() {

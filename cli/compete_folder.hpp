@@ -11,6 +11,7 @@
 #include "core/contract/text_file.hpp"
 #include "core/population/population_settings.hpp"
 #include "core/population/stand.hpp"
+#include "core/record/folder_lock.hpp"
 
 namespace phytobench::cli {
 
@@ -40,9 +41,6 @@ class CompeteFolder {
   /// given, are what the run is repeated from.
   CompeteFolder(std::filesystem::path folder, std::vector<Setting> settings, FrameFiles frames,
                 std::vector<FileContent> inputs);
-  ~CompeteFolder();
-  CompeteFolder(const CompeteFolder&) = delete;
-  CompeteFolder& operator=(const CompeteFolder&) = delete;
 
   /// Starts a run with a first checkpoint. Throws InputError if the folder holds one, or other
   /// files of the names that a run writes, or if another program runs there; EnvironmentError if
@@ -73,7 +71,6 @@ class CompeteFolder {
 
  private:
   std::filesystem::path steps_file() const { return folder_ / "steps.csv"; }
-  void lock();
   void append_rows();
   void refuse_files_of_others() const;
   void write_inputs() const;
@@ -88,7 +85,7 @@ class CompeteFolder {
   std::string rows_;
   std::uint64_t steps_bytes_ = 0;  ///< of steps.csv, with its digest
   std::uint64_t steps_digest_ = digest_of_nothing;
-  int lock_ = -1;  ///< the folder, opened
+  FolderLock lock_;
 };
 
 }  // namespace phytobench::cli

@@ -81,11 +81,16 @@ void add_run(CLI::App& app, Commands& commands) {
 
 void add_report(CLI::App& app, Commands& commands) {
   ReportOptions& options = commands.report;
-  CLI::App* sub = app.add_subcommand("report", "Judge a run's records and write the report");
-  sub->add_option("folder", options.folder, "Folder of a run")->required();
-  sub->add_option("--out", options.out, "Folder for the report (default: <folder>/report)");
-  sub->add_option("--format", options.formats, "html, md, csv; comma-separated")
+  CLI::App* sub = app.add_subcommand("report", "Judge the records of runs and write the report");
+  sub->add_option("folder", options.folders,
+                  "Folder of a run; several, of other machines or compilers, are merged")
+      ->required();
+  sub->add_option("--out", options.out,
+                  "Folder for the report, in place of an earlier one there (default: "
+                  "<folder>/report; needed for several runs)");
+  sub->add_option("--format", options.formats, "html, md, latex, csv, junit; comma-separated")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->capture_default_str();
   sub->add_flag("--without-varying", options.without_varying,
                 "Leave out what differs between equal runs: times, machine");

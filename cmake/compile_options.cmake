@@ -1,7 +1,13 @@
 # Flags of all our code. No contraction to FMA: every target must round alike. Options structs are filled with
 # designated initialisers that name only what departs from the defaults, which -Wextra would complain about.
-# GCC 12 sees overlapping copies (-Wrestrict) in plain string concatenation where there are none.
-add_compile_options(-Wall -Wextra -Wconversion -Wsign-conversion -Wshadow -Werror -Wno-restrict -Wno-missing-field-initializers -ffp-contract=off -fno-math-errno)
+add_compile_options(-Wall -Wextra -Wconversion -Wsign-conversion -Wshadow -Werror -Wno-missing-field-initializers -ffp-contract=off -fno-math-errno)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # GCC 12 sees overlapping copies in plain string concatenation where there are none.
+  add_compile_options(-Wno-restrict)
+else()
+  # Clang does not know every warning that a pragma of ours names.
+  add_compile_options(-Wno-unknown-warning-option)
+endif()
 if(PHYTOBENCH_ARCHITECTURE)
   add_compile_options(-march=${PHYTOBENCH_ARCHITECTURE})
 endif()

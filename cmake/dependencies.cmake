@@ -8,6 +8,7 @@ find_package(nlohmann_json 3.11 REQUIRED)
 find_package(tomlplusplus 3.3 REQUIRED)
 find_package(hwy 1.0 REQUIRED)
 find_package(GTest 1.12 REQUIRED)
+find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto)
 find_package(benchmark 1.7)
 
 # Peers of the nearest-node engines. Whatever is missing shows as "not built".
@@ -39,6 +40,8 @@ phytobench_header_library(stb stb/stb_image_write.h)
 find_package(embree 3.13 QUIET)
 # Reads exported files back in tests, which are left out where it is missing.
 find_package(assimp 5.2 QUIET)
+# Reads the report's junit.xml back in a test.
+find_package(LibXml2 2.9 QUIET)
 
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

@@ -135,8 +135,7 @@ Claim claim_from(const TomlTable& table, const std::string& paper) {
   claim.basis = bases[word(table, "basis", bases)];
   claim.tier = static_cast<Tier>(word(table, "tier", tiers));
   claim.expected_verdict = verdict_of(table, "expected_verdict");
-  if (table.has("predicted_verdict"))
-    claim.predicted_verdict = verdict_of(table, "predicted_verdict");
+  claim.predicted_verdict = verdict_of(table, "predicted_verdict");
   claim.difference = table.text_or("difference", "");
   claim.missing_model = table.text_or("missing_model", "");
   claim.erratum = table.text_or("erratum", "");
@@ -147,6 +146,9 @@ Claim claim_from(const TomlTable& table, const std::string& paper) {
   if (claim.fixed_verdict.has_value() != claim.checks.empty())
     table.fail("a claim has either checks or a fixed verdict");
   if (claim.reason.empty()) table.fail("a claim needs a reason");
+  if (claim.difference.empty() != (claim.predicted_verdict == claim.expected_verdict))
+    table.fail(
+        "'difference' says why the expected verdict is not the predicted one, and only then");
   if (!claim.missing_model.empty() && claim.fixed_verdict != Verdict::not_measured)
     table.fail("'missing_model' goes with verdict = \"not measured\" only");
   return claim;
@@ -206,6 +208,10 @@ std::string_view name_of(Verdict verdict) {
       return "not measured";
   }
   return "unknown";
+}
+
+std::string measurement_of(const ClaimCheck& check, const std::string& part) {
+  return check.subject == CheckSubject::sum ? part.substr(1) : part;
 }
 
 std::string PublishedTable::measurement_at(std::size_t row, std::size_t column) const {

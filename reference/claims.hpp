@@ -56,6 +56,10 @@ struct ClaimCheck {
   std::string why;           ///< kind of reason for the bounds
 };
 
+/// The measurement that a part of a term names: without the sign it has in a sum. Of `matches` it
+/// is the start of their names.
+std::string measurement_of(const ClaimCheck& check, const std::string& part);
+
 struct Claim {
   std::string id;
   std::string paper;
@@ -69,7 +73,7 @@ struct Claim {
   Tier tier = Tier::smoke;
   Verdict expected_verdict = Verdict::reproduced;
   /// The verdict we derived from the text before anything was built; what the run gives is compared
-  /// with it in the report. Absent only while a claim is being written.
+  /// with it in the report. Every claim of a file has one.
   std::optional<Verdict> predicted_verdict;
   std::string difference;     ///< why the expected verdict is not the predicted one; else empty
   std::string missing_model;  ///< model that is not built yet and keeps it unmeasured; else empty
@@ -108,7 +112,8 @@ struct PaperClaims {
 
 /// In the order of the files' `order` (root key, with `topic`), then of their names. Throws
 /// InputError with file and line for a missing or unknown key, an unknown word, a duplicate id, a
-/// claim with neither checks nor fixed verdict, or a check without bounds.
+/// claim with neither checks nor fixed verdict, a check without bounds, or a prediction that did
+/// not come true without a word why.
 PaperClaims load_claims(const std::string& paper);
 
 /// The same from a file; `paper` prefixes the measurements.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <ostream>
 #include <set>
 #include <string>
@@ -16,8 +15,6 @@
 
 #include "core/contract/errors.hpp"
 #include "core/contract/text_file.hpp"
-#include "reference/errata.hpp"
-#include "reference/papers.hpp"
 
 namespace phytobench {
 namespace {
@@ -25,93 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-// The claims of the real papers.
-
-TEST(PaperClaims, LoadForEveryPaper) {
-  ASSERT_FALSE(paper_keys().empty());
-  for (const std::string& paper : paper_keys())
-    EXPECT_FALSE(load_claims(paper).claims.empty()) << paper;
-}
-
-TEST(PaperClaims, HaveUniqueIdsAndSayWhatTheyAreJudgedBy) {
-  std::set<std::string> ids;
-  for (const std::string& paper : paper_keys()) {
-    for (const Claim& claim : load_claims(paper).claims) {
-      SCOPED_TRACE(claim.id);
-      EXPECT_TRUE(ids.insert(claim.id).second);
-      EXPECT_EQ(claim.paper, paper);
-      EXPECT_FALSE(claim.locator.empty());
-      EXPECT_FALSE(claim.text.empty());
-      EXPECT_FALSE(claim.published.empty());
-      EXPECT_FALSE(claim.reason.empty());
-      EXPECT_NE(claim.checks.empty(), !claim.fixed_verdict.has_value());
-    }
-  }
-}
-
-TEST(PaperClaims, ThatNeedAnErratumNameOneThatListsThem) {
-  for (const std::string& paper : paper_keys()) {
-    std::map<std::string, std::vector<std::string>> listed;
-    for (const Erratum& erratum : load_errata(paper)) listed[erratum.id] = erratum.claims;
-    for (const Claim& claim : load_claims(paper).claims) {
-      SCOPED_TRACE(claim.id);
-      EXPECT_EQ(!claim.erratum.empty(), claim.expected_verdict == Verdict::reproduced_with_erratum);
-      if (claim.erratum.empty()) continue;
-      ASSERT_TRUE(listed.contains(claim.erratum)) << claim.erratum;
-      EXPECT_THAT(listed[claim.erratum], testing::Contains(claim.id));
-    }
-  }
-}
-
-TEST(PaperClaims, ListedByAnErratumExist) {
-  for (const std::string& paper : paper_keys()) {
-    std::set<std::string> ids;
-    for (const Claim& claim : load_claims(paper).claims) ids.insert(claim.id);
-    for (const Erratum& erratum : load_errata(paper))
-      for (const std::string& claim : erratum.claims)
-        EXPECT_TRUE(ids.contains(claim)) << erratum.id << " lists " << claim;
-  }
-}
-
-TEST(PaperClaims, MeasureOnlyTheirOwnPaperAndLeaveRoomBetweenBounds) {
-  for (const std::string& paper : paper_keys()) {
-    for (const Claim& claim : load_claims(paper).claims) {
-      for (const ClaimCheck& check : claim.checks) {
-        SCOPED_TRACE(claim.id);
-        if (check.low && check.high) {
-          EXPECT_LE(*check.low, *check.high);
-        }
-        for (const auto& term : check.terms) {
-          for (const std::string& part : term) {
-            const bool is_signed = part.starts_with('+') || part.starts_with('-');
-            EXPECT_EQ(is_signed, check.subject == CheckSubject::sum) << part;
-            EXPECT_THAT(part.substr(is_signed ? 1 : 0), StartsWith(paper + "/"));
-          }
-        }
-      }
-    }
-  }
-}
-
-TEST(PublishedTables, NameOneMeasurementPerCell) {
-  for (const std::string& paper : paper_keys()) {
-    std::set<std::string> ids;
-    for (const PublishedTable& table : load_claims(paper).tables) {
-      SCOPED_TRACE(table.id);
-      EXPECT_TRUE(ids.insert(table.id).second);
-      std::set<std::string> cells;
-      for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        for (std::size_t column = 0; column < table.columns.size(); ++column) {
-          const std::string cell = table.measurement_at(row, column);
-          EXPECT_TRUE(cells.insert(cell).second) << cell;
-          EXPECT_EQ(cell.find_first_of("{}"), std::string::npos) << cell;
-        }
-      }
-      EXPECT_EQ(cells.size(), table.rows.size() * table.columns.size());
-    }
-  }
-}
 
 TEST(PublishedTables, PutCompanionsBesideTheMeasurement) {
   PublishedTable table;
@@ -164,7 +74,7 @@ class ClaimsFile : public testing::Test {
   fs::path folder_;
 };
 
-/// Lines 1 to 15: a claim, its check from line 11 on.
+/// Lines 1 to 16: a claim, its check from line 12 on.
 const std::string valid_claim = R"([[claim]]
 id = "p/eq-1/count"
 locator = "eq. 1"
@@ -174,6 +84,7 @@ published = "5"
 basis = "paper"
 tier = "quick"
 expected_verdict = "reproduced"
+predicted_verdict = "reproduced"
 reason = "Counts are exact."
 [[claim.check]]
 of = "value"
@@ -242,14 +153,30 @@ TEST_F(ClaimsFile, MayHoldAFixedVerdictInsteadOfChecks) {
   EXPECT_TRUE(loaded.claims.at(0).checks.empty());
 }
 
+TEST_F(ClaimsFile, SaysWhyAPredictionDidNotComeTrue) {
+  const PaperClaims loaded = load(with(valid_claim, "predicted_verdict = \"reproduced\"",
+                                       "predicted_verdict = \"not measured\"\n"
+                                       "difference = \"It could be measured.\""));
+  EXPECT_EQ(loaded.claims.at(0).predicted_verdict, Verdict::not_measured);
+  EXPECT_EQ(loaded.claims.at(0).difference, "It could be measured.");
+}
+
+TEST_F(ClaimsFile, NamesTheMeasurementsOfASumWithoutTheirSigns) {
+  const PaperClaims loaded = load(with(with(valid_claim, "\"value\"", "\"sum\""),
+                                       R"([["e/a"], ["e/b"]])", R"([["+e/a", "-e/b"]])"));
+  const ClaimCheck& check = loaded.claims.at(0).checks.at(0);
+  EXPECT_EQ(measurement_of(check, check.terms[0][1]), "p/e/b");
+  EXPECT_EQ(measurement_of({.subject = CheckSubject::value}, "p/e/b"), "p/e/b");
+}
+
 TEST_F(ClaimsFile, MustExist) {
   EXPECT_THROW(load_claims_file(file(), "p"), InputError);
 }
 
 TEST_F(ClaimsFile, RefusesAnIdThatStandsThereTwice) {
-  // The second claim begins in line 16.
+  // The second claim begins in line 17.
   const std::string error = error_of(valid_claim + valid_claim);
-  EXPECT_THAT(error, StartsWith(file() + ":16: "));
+  EXPECT_THAT(error, StartsWith(file() + ":17: "));
   EXPECT_THAT(error, HasSubstr("p/eq-1/count"));
 }
 
@@ -283,50 +210,58 @@ const std::string two_terms = R"([["e/a"], ["e/b"]])";
 
 const std::vector<Mistake> claim_mistakes = {
     {"unknown_key", "locator", "locater", 3, "'locater'"},
-    {"unknown_key_of_a_check", "equals", "equal", 14, "'equal'"},
+    {"unknown_key_of_a_check", "equals", "equal", 15, "'equal'"},
     {"missing_key", "locator = \"eq. 1\"\n", "", 1, "'locator' is missing"},
     {"number_for_text", "\"eq. 1\"", "1", 3, "'locator' must be text"},
     {"unknown_kind", "kind = \"count\"", "kind = \"number\"", 1, "'kind' is 'number'"},
     {"unknown_basis", "basis = \"paper\"", "basis = \"hope\"", 1, "'basis' is 'hope'"},
-    {"unknown_why", "why = \"exact\"", "why = \"taste\"", 11, "'why' is 'taste'"},
-    {"unknown_subject", "of = \"value\"", "of = \"mean\"", 11, "'of' is 'mean'"},
+    {"unknown_why", "why = \"exact\"", "why = \"taste\"", 12, "'why' is 'taste'"},
+    {"unknown_subject", "of = \"value\"", "of = \"mean\"", 12, "'of' is 'mean'"},
     {"unknown_expected_verdict", "\"reproduced\"", "\"confirmed\"", 1, "'confirmed'"},
     {"unknown_fixed_verdict", "[[claim.check]]", "verdict = \"confirmed\"\n[[claim.check]]", 1,
      "'confirmed'"},
+    {"no_predicted_verdict", "predicted_verdict = \"reproduced\"\n", "", 1,
+     "'predicted_verdict' is missing"},
+    {"unknown_predicted_verdict", "predicted_verdict = \"reproduced\"",
+     "predicted_verdict = \"hoped for\"", 1, "'predicted_verdict' is 'hoped for'"},
+    {"difference_that_is_not_said", "predicted_verdict = \"reproduced\"",
+     "predicted_verdict = \"not reproduced\"", 1, "'difference' says why"},
+    {"difference_that_is_none", "reason =", "difference = \"None.\"\nreason =", 1,
+     "'difference' says why"},
     {"upper_case_id", "p/eq-1/count", "p/Eq-1/count", 1, "p/Eq-1/count"},
     {"id_of_another_paper", "p/eq-1/count", "q/eq-1/count", 1, "q/eq-1/count"},
     {"empty_reason", "Counts are exact.", "", 1, "reason"},
-    {"check_without_bounds", "equals = 5\n", "", 11, "bounds"},
-    {"check_without_terms", two_terms, "[]", 11, "terms"},
-    {"terms_not_nested", two_terms, R"(["e/a", "e/b"])", 13, "'terms'"},
-    {"bound_as_text", "equals = 5", "equals = \"5\"", 14, "'equals' must be a number"},
-    {"two_measurements_of_a_value", two_terms, R"([["e/a", "e/b"]])", 11, "measurements"},
-    {"no_measurement_of_a_value", two_terms, "[[]]", 11, "measurements"},
-    {"one_measurement_of_a_ratio", "of = \"value\"", "of = \"ratio\"", 11, "measurements"},
-    {"one_measurement_of_a_ratio_of_ratios", "of = \"value\"", "of = \"ratio-of-ratios\"", 11,
+    {"check_without_bounds", "equals = 5\n", "", 12, "bounds"},
+    {"check_without_terms", two_terms, "[]", 12, "terms"},
+    {"terms_not_nested", two_terms, R"(["e/a", "e/b"])", 14, "'terms'"},
+    {"bound_as_text", "equals = 5", "equals = \"5\"", 15, "'equals' must be a number"},
+    {"two_measurements_of_a_value", two_terms, R"([["e/a", "e/b"]])", 12, "measurements"},
+    {"no_measurement_of_a_value", two_terms, "[[]]", 12, "measurements"},
+    {"one_measurement_of_a_ratio", "of = \"value\"", "of = \"ratio\"", 12, "measurements"},
+    {"one_measurement_of_a_ratio_of_ratios", "of = \"value\"", "of = \"ratio-of-ratios\"", 12,
      "measurements"},
-    {"one_measurement_of_a_sum", "of = \"value\"", "of = \"sum\"", 11, "measurements"},
-    {"required_too_large", "equals = 5", "equals = 5\nrequired = 3", 11, "'required'"},
-    {"required_zero", "equals = 5", "equals = 5\nrequired = 0", 11, "'required'"},
+    {"one_measurement_of_a_sum", "of = \"value\"", "of = \"sum\"", 12, "measurements"},
+    {"required_too_large", "equals = 5", "equals = 5\nrequired = 3", 12, "'required'"},
+    {"required_zero", "equals = 5", "equals = 5\nrequired = 0", 12, "'required'"},
     {"both_checks_and_verdict", "[[claim.check]]", "verdict = \"not measured\"\n[[claim.check]]", 1,
      "either checks or a fixed verdict"},
     {"same_with_bounds", "of = \"value\"\nterms = [[\"e/a\"], [\"e/b\"]]",
-     "of = \"same\"\nterms = [[\"e/a\", \"e/b\"]]", 11, "bounds"},
+     "of = \"same\"\nterms = [[\"e/a\", \"e/b\"]]", 12, "bounds"},
     {"different_with_bounds", "of = \"value\"\nterms = [[\"e/a\"], [\"e/b\"]]",
-     "of = \"different\"\nterms = [[\"e/a\", \"e/b\"]]", 11, "bounds"},
+     "of = \"different\"\nterms = [[\"e/a\", \"e/b\"]]", 12, "bounds"},
     {"exponent_of_two_points", "of = \"value\"\nterms = [[\"e/a\"], [\"e/b\"]]",
-     "of = \"exponent\"\nterms = [[\"e/a\", \"e/b\", \"e/c\", \"e/d\"]]", 11, "measurements"},
+     "of = \"exponent\"\nterms = [[\"e/a\", \"e/b\", \"e/c\", \"e/d\"]]", 12, "measurements"},
     {"exponent_of_unpaired_values", "of = \"value\"\nterms = [[\"e/a\"], [\"e/b\"]]",
      "of = \"exponent\"\nterms = [[\"e/a\", \"e/b\", \"e/c\", \"e/d\", \"e/f\", \"e/g\", \"e/h\"]]",
-     11, "measurements"},
-    {"accidents_of_a_value", "equals = 5", "equals = 5\naccident_steps = [4, 6]", 11,
+     12, "measurements"},
+    {"accidents_of_a_value", "equals = 5", "equals = 5\naccident_steps = [4, 6]", 12,
      "'accident_steps'"},
     {"accidents_of_one_number", "of = \"value\"\nterms = [[\"e/a\"], [\"e/b\"]]\nequals = 5",
      "of = \"matches\"\nterms = [[\"e/a\"]]\nequals_text = \"5\"\nlow = 1\naccident_steps = [4]",
-     11, "'accident_steps'"},
-    {"matches_without_text", "of = \"value\"", "of = \"matches\"", 11, "'matches' needs"},
+     12, "'accident_steps'"},
+    {"matches_without_text", "of = \"value\"", "of = \"matches\"", 12, "'matches' needs"},
     {"matches_without_bounds", "of = \"value\"\nterms = [[\"e/a\"], [\"e/b\"]]\nequals = 5",
-     "of = \"matches\"\nterms = [[\"e/a\"]]\nequals_text = \"5\"", 11, "'matches' needs"},
+     "of = \"matches\"\nterms = [[\"e/a\"]]\nequals_text = \"5\"", 12, "'matches' needs"},
     {"unknown_section", "[[claim]]", "other = 1\n[[claim]]", 1, "'other'"},
 };
 

@@ -31,4 +31,11 @@ OracleTable alsweis_growth_oracles();       ///< growth of plants, laws of densi
 OracleTable alsweis_population_oracles();   ///< cells, seed bank, dispersal
 OracleTable alsweis_competition_oracles();  ///< chapters 4, 5 and 7
 
+// Words that numbers contradict, and cases that words leave out.
+OracleTable brzoska2019_wording_oracles();
+OracleTable alsweis_wording_oracles();
+OracleTable tiles_and_noise_oracles();  ///< [Alsweis] ch. 3, 6, appendices; L-systems of both
+OracleTable brzoska2019_mesh_oracles();
+OracleTable brzoska2019_growth_trend_oracles();
+
 }  // namespace phytobench

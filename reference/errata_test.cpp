@@ -24,7 +24,9 @@ const OracleTable& oracles_by_name() {
     OracleTable all;
     for (const OracleTable& part :
          {brzoska2019_oracles(), alsweis_pattern_oracles(), alsweis_growth_oracles(),
-          alsweis_population_oracles(), alsweis_competition_oracles()})
+          alsweis_population_oracles(), alsweis_competition_oracles(),
+          brzoska2019_wording_oracles(), alsweis_wording_oracles(), tiles_and_noise_oracles(),
+          brzoska2019_mesh_oracles(), brzoska2019_growth_trend_oracles()})
       all.insert(part.begin(), part.end());
     return all;
   }();
@@ -73,6 +75,54 @@ TEST(Errata, HaveUniqueIdsAndSayWhatIsWrong) {
       if (erratum.counter_example) EXPECT_FALSE(erratum.counter_example->why.empty());
     }
   }
+}
+
+/// What an author who gets it by letter would miss.
+std::string missing_for_a_letter(const Erratum& erratum) {
+  std::string missing;
+  const auto demand = [&](bool there, const char* what) {
+    if (!there) missing += std::string(missing.empty() ? "" : ", ") + what;
+  };
+  const bool needs_number = erratum.kind == ErratumKind::formula ||
+                            erratum.kind == ErratumKind::number ||
+                            erratum.kind == ErratumKind::missing_case;
+  demand(!erratum.section.empty(), "section");
+  demand(erratum.kind.has_value(), "kind");
+  demand(!erratum.check.empty(), "check");
+  demand(!needs_number || erratum.counter_example, "counter_example");
+  if (erratum.counter_example) {
+    demand(!erratum.counter_example->inputs.empty(), "inputs");
+    demand(!erratum.counter_example->result.empty(), "result");
+  }
+  return missing;
+}
+
+TEST(Errata, SayWhatALetterToTheAuthorNeeds) {
+  std::string missing;
+  for (const std::string& paper : paper_keys())
+    for (const Erratum& erratum : load_errata(paper))
+      if (const std::string lacks = missing_for_a_letter(erratum); !lacks.empty())
+        missing += "\n  " + paper + " " + erratum.id + ": " + lacks;
+  EXPECT_TRUE(missing.empty()) << missing;
+}
+
+TEST(Errata, AnIncompleteEntryIsNoticed) {
+  Erratum erratum{.section = "3.4.4", .kind = ErratumKind::wording, .check = "Read on."};
+  EXPECT_EQ(missing_for_a_letter(erratum), "");
+  erratum.kind = ErratumKind::formula;
+  EXPECT_EQ(missing_for_a_letter(erratum), "counter_example");
+  erratum.counter_example = CounterExample{.inputs = {"r"}};
+  EXPECT_EQ(missing_for_a_letter(erratum), "result");
+  EXPECT_EQ(missing_for_a_letter(Erratum{}), "section, kind, check");
+}
+
+TEST(Errata, SectionsAreInTheOrderOfTheWork) {
+  const std::vector<std::string> sections = {"1.2",   "2",    "2.4", "2.4.1", "2.10",
+                                             "3.4.4", "10.1", "A",   "B",     ""};
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    for (std::size_t j = 0; j < sections.size(); ++j)
+      EXPECT_EQ(section_is_before(sections[i], sections[j]), i < j)
+          << sections[i] << " and " << sections[j];
 }
 
 TEST(ErrataOracle, CounterExamplesHoldForBothForms) {

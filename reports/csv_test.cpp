@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -93,23 +95,46 @@ RunContents small_run() {
   return run;
 }
 
-TEST(RecordsCsv, HoldsOneRowPerRecord) {
-  const auto rows = rows_of(records_csv(small_run()));
-  ASSERT_EQ(rows.size(), 4u);
-  EXPECT_EQ(rows[0], (std::vector<std::string>{"measurement", "value", "unit", "n", "seed"}));
-  EXPECT_EQ(rows[1], (std::vector<std::string>{"p/e/edges", "2243", "edges", "3", "7"}));
-  EXPECT_EQ(rows[3], (std::vector<std::string>{"p/e/stop", "no, \"never\"", "1", "1", ""}));
+TEST(RecordsCsv, HoldsOneRowPerRecordAndSample) {
+  RunContents run = small_run();
+  run.timings.push_back({.experiment = "p/e",
+                         .measurement = "p/e/seconds",
+                         .round = 2,
+                         .position = 1,
+                         .value = 0.1,
+                         .threads = 4,
+                         .unit = "s"});
+  const auto rows = rows_of(records_csv(run, false));
+  ASSERT_EQ(rows.size(), 5u);
+  EXPECT_EQ(rows[0],
+            (std::vector<std::string>{"kind", "experiment", "measurement", "value", "unit", "n",
+                                      "spread", "seed", "round", "position", "threads"}));
+  EXPECT_EQ(rows[1], (std::vector<std::string>{"record", "p/e", "p/e/edges", "2243", "edges", "3",
+                                               "0.5", "7", "", "", ""}));
+  EXPECT_EQ(rows[3], (std::vector<std::string>{"record", "p/e", "p/e/stop", "no, \"never\"", "1",
+                                               "1", "", "", "", "", ""}));
+  EXPECT_EQ(rows[4], (std::vector<std::string>{"sample", "p/e", "p/e/seconds", "0.1", "s", "1", "",
+                                               "", "2", "1", "4"}));
+  EXPECT_EQ(rows_of(records_csv(run, true)).size(), 4u) << "samples are never the same twice";
 }
 
 TEST(RecordsCsv, LosesNoDigit) {
-  const auto rows = rows_of(records_csv(small_run()));
+  const auto rows = rows_of(records_csv(small_run(), false));
   ASSERT_EQ(rows.size(), 4u);
-  ASSERT_EQ(rows[2].size(), 5u);
-  EXPECT_EQ(std::strtod(rows[2][1].c_str(), nullptr), 1.0 / 3.0);
+  EXPECT_EQ(std::strtod(rows[2][3].c_str(), nullptr), 1.0 / 3.0);
 }
 
 TEST(RecordsCsv, OfAnEmptyRunIsTheHeading) {
-  EXPECT_EQ(rows_of(records_csv(RunContents{})).size(), 1u);
+  EXPECT_EQ(rows_of(records_csv(RunContents{}, false)).size(), 1u);
+}
+
+TEST(RecordsCsv, NamesEachOfSeveralRuns) {
+  const std::vector<ComparedRun> runs = {{"here, now", small_run()}, {"there", small_run()}};
+  const auto rows = rows_of(records_csv(runs, false));
+  ASSERT_EQ(rows.size(), 7u);
+  EXPECT_EQ(rows[0][0], "run");
+  EXPECT_EQ(rows[1][0], "here, now");
+  EXPECT_EQ(rows[6][0], "there");
 }
 
 /// A paper with one exact and one timed judgement; they point into the claims beside them.
@@ -120,12 +145,21 @@ JudgedRun small_judged_run() {
   paper.claims.claims.resize(2);
   Claim& exact = paper.claims.claims[0];
   exact.id = "p/exact";
+  exact.paper = "p";
+  exact.topic = "Growth";
+  exact.text = "Two, or more";
+  exact.unit = "edges";
+  exact.digits = 1;
   exact.locator = "eq. 1, sec. 2";
   exact.kind = "count";
   exact.basis = "paper";
   exact.published = "5 \"edges\"";
   Claim& timed = paper.claims.claims[1];
   timed.id = "p/timed";
+  timed.paper = "p";
+  timed.reason = "bounds";
+  timed.predicted_verdict = Verdict::underspecified;
+  timed.checks.push_back({.terms = {{"p/e/seconds"}}});
   timed.kind = "ratio";
   timed.basis = "assumed";
   timed.published = "2";
@@ -141,30 +175,85 @@ JudgedRun small_judged_run() {
   return judged;
 }
 
+/// One row by the names of its columns.
+std::map<std::string, std::string> row_of(const std::string& csv, std::size_t row) {
+  const auto rows = rows_of(csv);
+  std::map<std::string, std::string> named;
+  for (std::size_t column = 0; column < rows.at(row).size(); ++column)
+    named[rows[0].at(column)] = rows[row][column];
+  return named;
+}
+
 TEST(ClaimsCsv, HoldsOneRowPerClaim) {
   const JudgedRun judged = small_judged_run();
-  const auto rows = rows_of(claims_csv(judged, false));
-  ASSERT_EQ(rows.size(), 3u);
-  EXPECT_EQ(rows[0],
-            (std::vector<std::string>{"id", "locator", "kind", "verdict", "basis", "published",
-                                      "measured", "expected_verdict", "reason"}));
-  EXPECT_EQ(rows[1],
-            (std::vector<std::string>{"p/exact", "eq. 1, sec. 2", "count", "reproduced", "paper",
-                                      "5 \"edges\"", "5", "reproduced", "exact"}));
-  EXPECT_EQ(rows[2], (std::vector<std::string>{"p/timed", "", "ratio", "inconclusive", "assumed",
-                                               "2", "2.1 [1.9, 2.3]", "not reproduced", "noise"}));
+  const std::string csv = claims_csv(judged, false);
+  ASSERT_EQ(rows_of(csv).size(), 3u);
+  EXPECT_EQ(row_of(csv, 1), (std::map<std::string, std::string>{{"id", "p/exact"},
+                                                                {"paper", "p"},
+                                                                {"topic", "Growth"},
+                                                                {"locator", "eq. 1, sec. 2"},
+                                                                {"kind", "count"},
+                                                                {"text", "Two, or more"},
+                                                                {"published", "5 \"edges\""},
+                                                                {"unit", "edges"},
+                                                                {"digits", "1"},
+                                                                {"measured", "5"},
+                                                                {"verdict", "reproduced"},
+                                                                {"basis", "paper"},
+                                                                {"expected_verdict", "reproduced"},
+                                                                {"predicted_verdict", ""},
+                                                                {"difference", ""},
+                                                                {"erratum", ""},
+                                                                {"tier", "smoke"},
+                                                                {"reason", "exact"},
+                                                                {"repeat", ""}}));
+  auto timed = row_of(csv, 2);
+  EXPECT_EQ(timed["verdict"], "inconclusive");
+  EXPECT_EQ(timed["expected_verdict"], "not reproduced");
+  EXPECT_EQ(timed["predicted_verdict"], "underspecified");
+  EXPECT_EQ(timed["repeat"], "phytobench run p/e --tier smoke --out results/again-p-e-smoke");
 }
 
 TEST(ClaimsCsv, LeavesOutWhatRestsOnTimesOnRequest) {
   const JudgedRun judged = small_judged_run();
-  const auto all = rows_of(claims_csv(judged, false));
-  const auto rows = rows_of(claims_csv(judged, true));
+  EXPECT_EQ(row_of(claims_csv(judged, true), 1), row_of(claims_csv(judged, false), 1));
+  auto timed = row_of(claims_csv(judged, true), 2);
+  EXPECT_EQ(timed["id"], "p/timed");
+  EXPECT_EQ(timed["verdict"], "");
+  EXPECT_EQ(timed["measured"], "");
+  EXPECT_EQ(timed["reason"], "bounds") << "what the run found may differ in the next one";
+}
+
+TEST(ClaimsByRunCsv, HoldsOneRowPerClaimAndRun) {
+  RunComparison comparison;
+  comparison.runs = {{"here", {}}, {"there", {}}};
+  comparison.claims = {{.id = "p/a",
+                        .verdicts = {Verdict::reproduced, Verdict::not_reproduced},
+                        .measured = {"1", "2"},
+                        .merged = Verdict::inconclusive,
+                        .contradicted = true},
+                       {.id = "p/b",
+                        .verdicts = {Verdict::inconclusive, Verdict::reproduced},
+                        .measured = {"1.9", "2.1"},
+                        .merged = Verdict::reproduced,
+                        .varies = true}};
+  const auto rows = rows_of(claims_by_run_csv(comparison, false));
+  ASSERT_EQ(rows.size(), 5u);
+  EXPECT_EQ(rows[2],
+            (std::vector<std::string>{"p/a", "there", "not reproduced", "2", "inconclusive"}));
+  EXPECT_EQ(rows[3],
+            (std::vector<std::string>{"p/b", "here", "inconclusive", "1.9", "reproduced"}));
+  EXPECT_EQ(rows_of(claims_by_run_csv(comparison, true)).size(), 3u);
+}
+
+TEST(DifferingRecordsCsv, HoldsOneRowPerValue) {
+  RunComparison comparison;
+  comparison.runs = {{"here", {}}, {"there", {}}, {"elsewhere", {}}};
+  comparison.records.differing = {
+      {.measurement = "p/e/x", .values = {"1", std::nullopt, "2"}, .relative = 0.5}};
+  const auto rows = rows_of(differing_records_csv(comparison));
   ASSERT_EQ(rows.size(), 3u);
-  EXPECT_EQ(rows[1], all[1]);
-  ASSERT_EQ(rows[2].size(), all[2].size());
-  EXPECT_EQ(rows[2][0], "p/timed");
-  EXPECT_EQ(rows[2][3], "");
-  EXPECT_EQ(rows[2][6], "");
+  EXPECT_EQ(rows[2], (std::vector<std::string>{"p/e/x", "elsewhere", "2"}));
 }
 
 }  // namespace

@@ -6,11 +6,13 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "reports/document_costs.hpp"
 #include "reports/judge/judged_run.hpp"
+#include "reports/run_figures.hpp"
 
 namespace phytobench {
 
-/// What is added to the judged run from the run's folder.
+/// What is added to the judged run from the run's folder and from the program.
 struct DocumentSources {
   std::string environment_json;
   std::string run_folder;                       ///< as the user named it, for the repeat commands
@@ -18,13 +20,13 @@ struct DocumentSources {
   std::map<std::string, std::string> photographs;  ///< artifact name -> bytes of a JPEG file
   std::map<std::string, std::string> plots;        ///< made for this report: name -> SVG text
   bool without_varying = false;
+  std::map<std::string, std::string> plot_data = {};  ///< numbers of plots: artifact name -> CSV
+  std::map<std::string, ExperimentFacts> experiments = {};  ///< by id; what is absent is not known
 };
 
-/// Name below the report's folder under which a picture of the run is kept.
-std::string figure_file(const std::string& artifact);
-
 /// The one document model: everything a report says, ready for the templates. The templates only
-/// arrange.
+/// arrange. Whoever has more to say adds `comparison` and `has_comparison`, `validation` and
+/// `has_validation` to it.
 nlohmann::ordered_json make_document(const JudgedRun& judged, const DocumentSources& sources);
 
 }  // namespace phytobench

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "reports/document_claims.hpp"
 
-#include <algorithm>
-
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "reports/document_agreement.hpp"
+#include "reports/document_anchors.hpp"
+#include "reports/document_locators.hpp"
 #include "reports/repeat_commands.hpp"
 
 namespace phytobench {
@@ -12,15 +14,6 @@ namespace phytobench {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr const char* left_out = "left out: rests on times";
-
-/// A text usable as a CSS class or an anchor.
-std::string slug(std::string text) {
-  for (char& c : text)
-    if (c == ' ' || c == '/' || c == '.') c = '-';
-  return text;
-}
 
 std::string outcome_word(CheckOutcome outcome) {
   switch (outcome) {
@@ -36,37 +29,136 @@ std::string outcome_word(CheckOutcome outcome) {
   return "";
 }
 
-/// The experiments whose measurements a claim is judged on.
-std::vector<std::string> experiments_of(const Claim& claim) {
-  std::vector<std::string> experiments;
-  for (const ClaimCheck& check : claim.checks)
-    for (const auto& term : check.terms)
-      for (const std::string& part : term) {
-        const std::size_t start = check.subject == CheckSubject::sum ? 1 : 0;
-        const std::size_t second = part.find('/', part.find('/') + 1);
-        const std::string id = part.substr(start, second - start);
-        if (std::find(experiments.begin(), experiments.end(), id) == experiments.end())
-          experiments.push_back(id);
-      }
-  return experiments;
+/// The first term of a check says what all of its terms must meet.
+ordered_json check_part(const JudgedCheck& check) {
+  ordered_json row{{"wanted", check.wanted},
+                   {"why", check.why},
+                   {"result", outcome_word(check.outcome)},
+                   {"term_count", check.terms.size()},
+                   {"several", check.terms.size() > 1},
+                   {"terms", ordered_json::array()}};
+  for (const JudgedTerm& term : check.terms)
+    row["terms"].push_back({{"expression", term.expression},
+                            {"measured", term.measured},
+                            {"outcome", outcome_word(term.outcome)},
+                            {"first", row["terms"].empty()}});
+  return row;
 }
 
-ordered_json checks_part(const Judgement& judgement) {
-  ordered_json checks = ordered_json::array();
-  for (const JudgedCheck& check : judgement.checks) {
-    ordered_json row{
-        {"wanted", check.wanted}, {"why", check.why}, {"outcome", outcome_word(check.outcome)}};
-    for (const JudgedTerm& term : check.terms)
-      row["terms"].push_back({{"expression", term.expression},
-                              {"measured", term.measured},
-                              {"outcome", outcome_word(term.outcome)}});
-    checks.push_back(row);
+std::string search_tokens(const std::string& locator) {
+  std::string tokens;
+  for (const Place& place : places_of(locator)) {
+    const std::string token = search_token(place);
+    if (!token.empty()) tokens += (tokens.empty() ? "" : " ") + token;
   }
-  return checks;
+  return tokens;
 }
 
-/// The terms that keep a claim from holding.
-ordered_json problems_part(const Judgement& judgement) {
+void add_text(ordered_json& part, const std::string& key, const std::string& text) {
+  part[key] = text;
+  part["has_" + key] = !text.empty();
+}
+
+/// A published text that names its unit keeps to that.
+std::string with_unit(const std::string& published, const std::string& unit) {
+  const bool needs_none =
+      published.empty() || unit.empty() || unit == "1" || published.find(unit) != std::string::npos;
+  return needs_none ? published : published + " " + unit;
+}
+
+void add_prediction(ordered_json& part, const Judgement& judgement, bool hidden) {
+  const Claim& claim = *judgement.claim;
+  const auto predicted = claim.predicted_verdict;
+  add_text(part, "predicted", predicted ? std::string(name_of(*predicted)) : "");
+  part["differs"] = predicted && !hidden && !lacks_evidence(judgement) &&
+                    claim.missing_model.empty() && judgement.verdict != *predicted;
+  add_text(part, "difference", claim.difference);
+  add_text(part, "missing_model", claim.missing_model);
+}
+
+void add_repeat(ordered_json& part, const Claim& claim, const ClaimContext& context) {
+  const std::vector<std::string> experiments = experiments_of(claim);
+  const ExperimentCost cost = context.costs.of(experiments, claim.tier);
+  part["has_repeat"] = !experiments.empty();
+  part["repeat"] = repeat_experiments(experiments, claim.tier, context.seed);
+  add_text(part, "time", cost.time);
+  add_text(part, "memory", cost.memory);
+  part["cost_varies"] = cost.varies;
+}
+
+void add_assumptions(ordered_json& part, const Claim& claim, const ClaimContext& context) {
+  part["assumptions"] = ordered_json::array();
+  const auto found = context.assumptions.find(claim.id);
+  if (found != context.assumptions.end())
+    for (const std::string& id : found->second)
+      part["assumptions"].push_back({{"id", id}, {"anchor", assumption_anchor(claim.paper, id)}});
+  part["has_assumptions"] = !part["assumptions"].empty();
+}
+
+}  // namespace
+
+std::string verdict_class(Verdict verdict) {
+  return slug(name_of(verdict));
+}
+
+std::string row_class(const VerdictRow& row) {
+  return row.name == fitted_row ? "fitted" : verdict_class(row.verdict);
+}
+
+ShownVerdict shown_verdict(const Judgement& judgement, bool without_varying) {
+  if (without_varying && judgement.varies)
+    return {left_out_row, left_out_class, left_out_class, true};
+  const VerdictRow& row = row_of(judgement);
+  return {std::string(row.name), row_class(row), slug(row.name), false};
+}
+
+ordered_json claim_brief(const Judgement& judgement, bool without_varying) {
+  const Claim& claim = *judgement.claim;
+  const ShownVerdict shown = shown_verdict(judgement, without_varying);
+  ordered_json part;
+  part["id"] = claim.id;
+  part["short_id"] = short_claim_id(claim.id);
+  part["anchor"] = claim_anchor(claim.id);
+  part["locator"] = claim.locator;
+  part["text"] = claim.text;
+  const std::string published = claim.published == "-" ? "" : claim.published;
+  add_text(part, "published", published);
+  part["unit"] = claim.unit == "1" ? "" : claim.unit;
+  part["published_text"] = with_unit(published, claim.unit);
+  part["verdict"] = shown.hidden ? left_out_row : name_of(judgement.verdict);
+  part["label"] = shown.label;
+  part["class"] = shown.look;
+  part["row"] = shown.row;
+  part["reason"] = judgement.reason;
+  part["varies"] = judgement.varies;
+  part["unexpected"] = !shown.hidden && judgement.is_unexpected();
+  part["expected"] = name_of(claim.expected_verdict);
+  add_prediction(part, judgement, shown.hidden);
+  return part;
+}
+
+ordered_json claim_document(const Judgement& judgement, const ClaimContext& context) {
+  const Claim& claim = *judgement.claim;
+  ordered_json part = claim_brief(judgement, context.without_varying);
+  const bool hidden = shown_verdict(judgement, context.without_varying).hidden;
+  part["kind"] = claim.kind;
+  part["basis"] = claim.basis;
+  part["tier"] = name_of(claim.tier);
+  part["places"] = search_tokens(claim.locator);
+  add_text(part, "erratum", claim.erratum);
+  part["erratum_anchor"] = erratum_anchor(claim.paper, claim.erratum);
+  add_assumptions(part, claim, context);
+  add_text(part, "measured", hidden ? left_out_row : judgement.measured);
+  add_text(part, "agreement", shown_agreement(claim, context.evidence));
+  add_repeat(part, claim, context);
+  part["checks"] = ordered_json::array();
+  if (!hidden)
+    for (const JudgedCheck& check : judgement.checks) part["checks"].push_back(check_part(check));
+  part["has_checks"] = !part["checks"].empty();
+  return part;
+}
+
+ordered_json claim_problems(const Judgement& judgement) {
   ordered_json problems = ordered_json::array();
   for (const JudgedCheck& check : judgement.checks) {
     if (check.outcome == CheckOutcome::holds) continue;
@@ -78,40 +170,6 @@ ordered_json problems_part(const Judgement& judgement) {
                             {"wanted", check.wanted}});
   }
   return problems;
-}
-
-}  // namespace
-
-std::string verdict_class(Verdict verdict) {
-  return slug(std::string(name_of(verdict)));
-}
-
-ordered_json claim_document(const Judgement& judgement, bool hidden) {
-  const Claim& claim = *judgement.claim;
-  ordered_json part;
-  part["id"] = claim.id;
-  part["anchor"] = slug(claim.id);
-  part["locator"] = claim.locator;
-  part["kind"] = claim.kind;
-  part["text"] = claim.text;
-  part["published"] = claim.published;
-  part["unit"] = claim.unit == "1" ? "" : claim.unit;
-  part["basis"] = claim.basis;
-  part["erratum"] = claim.erratum;
-  part["has_erratum"] = !claim.erratum.empty();
-  part["varies"] = judgement.varies;
-  part["verdict"] = hidden ? left_out : name_of(judgement.verdict);
-  part["class"] = verdict_class(hidden ? Verdict::not_measured : judgement.verdict);
-  part["measured"] = hidden ? left_out : judgement.measured;
-  part["has_measured"] = !part["measured"].get<std::string>().empty();
-  part["reason"] = judgement.reason;
-  part["unexpected"] = !hidden && judgement.is_unexpected();
-  part["expected"] = name_of(claim.expected_verdict);
-  part["has_repeat"] = !claim.checks.empty();
-  part["repeat"] = repeat_experiments(experiments_of(claim), claim.tier);
-  part["checks"] = hidden ? ordered_json::array() : checks_part(judgement);
-  part["problems"] = hidden ? ordered_json::array() : problems_part(judgement);
-  return part;
 }
 
 }  // namespace phytobench

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "reports/document_numbers.hpp"
 #include "reports/document_tables.hpp"
 #include "reports/repeat_commands.hpp"
 
@@ -15,12 +16,6 @@ namespace phytobench {
 namespace {
 
 using nlohmann::ordered_json;
-
-std::string with_unit(double seconds) {
-  if (seconds < 1e-3) return fmt::format("{:.0f} us", 1e6 * seconds);
-  if (seconds < 1.0) return fmt::format("{:.3g} ms", 1e3 * seconds);
-  return fmt::format("{:.3g} s", seconds);
-}
 
 /// Rounded to two significant digits.
 double two_digits(double value) {
@@ -112,8 +107,8 @@ class ScalingDocument {
                 [](const ScaledEntry::AtSize& at) {
                   if (!at.seconds) return no_cell();
                   return table_cell(
-                      with_unit(at.seconds->value),
-                      with_unit(at.seconds->low) + " to " + with_unit(at.seconds->high));
+                      shown_seconds(at.seconds->value),
+                      shown_seconds(at.seconds->low) + " to " + shown_seconds(at.seconds->high));
                 });
     add_by_size("Memory", "bytes per attraction point that the engine holds", true,
                 [](const ScaledEntry::AtSize& at) {

@@ -64,10 +64,11 @@ TEST(Document, CountsFittedVerdictsApartFromPlainOnes) {
   const ordered_json document = PartialRun().document();
   EXPECT_EQ(document["run"]["reproduced"], 1);
   EXPECT_EQ(document["run"]["fitted"], 1);
-  EXPECT_EQ(document["counts"][0]["verdict"], "reproduced");
-  EXPECT_EQ(document["counts"][0]["total"], 1);
-  EXPECT_EQ(document["counts"][1]["verdict"], "reproduced, fitted");
-  EXPECT_EQ(document["counts"][1]["total"], 1);
+  const ordered_json& rows = document["counts"]["rows"];
+  EXPECT_EQ(rows[0]["verdict"], "reproduced");
+  EXPECT_EQ(rows[0]["total"], 1);
+  EXPECT_EQ(rows[1]["verdict"], "reproduced, fitted");
+  EXPECT_EQ(rows[1]["total"], 1);
 }
 
 TEST(Document, RepeatsTheSelectionOfTheRun) {
@@ -80,6 +81,34 @@ TEST(Document, ShowsFiguresInTheirWorkAlone) {
   EXPECT_EQ(document["papers"][0]["has_pictures"], true);
   EXPECT_EQ(document["papers"][0]["pictures"][0]["caption"], "Drawn");
   EXPECT_EQ(document["papers"][1]["has_pictures"], false);
+}
+
+TEST(Document, GroupsClaimsUnderTheirTopics) {
+  PartialRun run;
+  run.plain.topic = "Growth";
+  run.fitted.topic = "Leaves";
+  const ordered_json topics = run.document()["papers"][0]["topics"];
+  ASSERT_EQ(topics.size(), 2u);
+  EXPECT_EQ(topics[0]["title"], "Growth");
+  EXPECT_EQ(topics[0]["anchor"], "topic-b-Growth");
+  EXPECT_EQ(topics[1]["claims"][0]["id"], "b/fitted");
+  EXPECT_EQ(topics[1]["tally"][0]["label"], "reproduced, fitted");
+}
+
+TEST(Document, ListsWhatWasMeasuredButNotClaimed) {
+  PartialRun run;
+  run.judged.run.records = {{.experiment = "b/x", .measurement = "b/x/a/n", .value = 1.0},
+                            {.experiment = "b/x", .measurement = "b/x/a/m", .value = 1.0}};
+  run.judged.run.timings = {{.experiment = "b/x", .measurement = "b/x/cost/seconds", .value = 1.0}};
+  const ordered_json document = run.document();
+  EXPECT_EQ(document["unclaimed"], 2);
+  EXPECT_EQ(document["unclaimed_groups"][0]["groups"][0]["group"], "a");
+}
+
+TEST(Document, LeavesSlotsForWhatOthersAdd) {
+  const ordered_json document = PartialRun().document();
+  EXPECT_EQ(document["has_comparison"], false);
+  EXPECT_EQ(document["has_validation"], false);
 }
 
 }  // namespace

@@ -93,5 +93,28 @@ TEST(RenderTemplate, RefusesABrokenTemplate) {
   }
 }
 
+TEST(Partials, StandInPlaceOfTheirNames) {
+  const Partials partials = {{"a", "[{{> b }}]\n"}, {"b", "{{x}}\n"}};
+  EXPECT_EQ(with_partials("1{{> a}}2\n{{>a}}\n", partials), "1[{{x}}]2\n[{{x}}]\n");
+}
+
+TEST(Partials, LeaveNoLineWhereTheyAreAbsent) {
+  EXPECT_EQ(with_partials("1\n{{> absent}}\n2", {}), "1\n2");
+  EXPECT_EQ(with_partials("{{#x}}{{> absent}}{{/x}}\n2", {}), "{{#x}}{{/x}}\n2");
+}
+
+TEST(Partials, MayNotContainThemselves) {
+  EXPECT_THROW(with_partials("{{> a}}", {{"a", "{{> b}}"}, {"b", "{{> a}}"}}), ContractViolation);
+}
+
+TEST(Partials, LeaveTheRestAlone) {
+  EXPECT_EQ(with_partials("{{x}} {{{y}}} {{> open", {}), "{{x}} {{{y}}} {{> open");
+}
+
+TEST(RenderReport, NeedsItsTemplate) {
+  EXPECT_THROW(render_report("no/such/folder", ordered_json::object(), EscapeFor::html),
+               InputError);
+}
+
 }  // namespace
 }  // namespace phytobench

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/record/record.hpp"
+#include "reference/claims.hpp"
 
 namespace phytobench {
 
@@ -15,8 +16,12 @@ std::vector<std::string> selection_of(const std::string& command_line);
 /// A command that makes a run again. `selection` empty: all experiments.
 std::string repeat_run(const std::vector<std::string>& selection, Tier tier, std::uint64_t seed);
 
+/// The experiments whose measurements a claim is judged on, each once, in the order of its checks.
+std::vector<std::string> experiments_of(const Claim& claim);
+
 /// A command that measures these experiments alone. Its folder is of these experiments and this
-/// tier only, since a run refuses a folder that holds another.
-std::string repeat_experiments(const std::vector<std::string>& experiments, Tier tier);
+/// tier only, since a run refuses a folder that holds another. The usual seed, 0, is not named.
+std::string repeat_experiments(const std::vector<std::string>& experiments, Tier tier,
+                               std::uint64_t seed = 0);
 
 }  // namespace phytobench

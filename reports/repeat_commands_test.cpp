@@ -43,5 +43,18 @@ TEST(RepeatExperiments, HasAFolderForEachExperimentAndTier) {
             "phytobench run p/a p/b --tier full --out results/again-p-a-and-p-b-full");
 }
 
+TEST(RepeatExperiments, NamesAnUnusualSeed) {
+  EXPECT_EQ(repeat_experiments({"p/a"}, Tier::smoke, 7),
+            "phytobench run p/a --tier smoke --seed 7 --out results/again-p-a-smoke-7");
+}
+
+TEST(ExperimentsOf, NamesEachOnceWithoutTheSignsOfASum) {
+  Claim claim;
+  claim.checks = {{.subject = CheckSubject::sum, .terms = {{"+p/b/x/y", "-p/a/x"}}},
+                  {.terms = {{"p/b/z"}, {"p/c/z"}}}};
+  EXPECT_THAT(experiments_of(claim), ElementsAre("p/b", "p/a", "p/c"));
+  EXPECT_THAT(experiments_of(Claim{}), IsEmpty());
+}
+
 }  // namespace
 }  // namespace phytobench

@@ -6,22 +6,35 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "reports/document_places.hpp"
+#include "reports/svg_text.hpp"
+
 namespace phytobench {
-
-/// The sentence that an SVG says of itself: its root's aria-label, else its root's title, as plain
-/// text. Empty where it says none.
-std::string svg_caption(const std::string& svg);
-
-/// Width in CSS pixels at which a picture is to be shown, from its root's viewBox; 0 where it has
-/// none. A narrow picture without letters counts in units of its model, and is shown wider.
-double svg_width(const std::string& svg);
 
 /// Whether the artifact `a` is shown before `b`: figures by the number in their name
 /// (`figure-4.7-step-40`, `figures-7.6-7.7`), then all others by name.
 bool is_figure_before(const std::string& a, const std::string& b);
 
-/// The figures of one work, in order, for the templates: name, caption, svg, widths in pixels.
-nlohmann::ordered_json figures_of(const std::string& paper,
-                                  const std::map<std::string, std::string>& pictures);
+/// Name below the report's folder under which a picture of the run is kept: of its whole path, so
+/// that pictures of two experiments differ.
+std::string figure_file(const std::string& artifact);
+
+/// Pictures of a run, and the numbers behind those that are plots, by artifact name: a plot and its
+/// data have one name, but for the endings .svg and .csv.
+struct FigureSources {
+  const std::map<std::string, std::string>& pictures;   ///< SVG text
+  const std::map<std::string, std::string>& plot_data;  ///< CSV text
+};
+
+/// The figures of one work, in order, for the templates, each with the claims about it. `svg` is
+/// empty where it would make the page too large (`file` holds it all), and where a plot could not
+/// be drawn.
+nlohmann::ordered_json figures_of(const std::string& paper, const FigureSources& sources,
+                                  const ClaimIndex& claims);
+
+/// The same for JPEG files, whose names are their labels: `source` holds one as a data URI.
+nlohmann::ordered_json photographs_of(const std::string& paper,
+                                      const std::map<std::string, std::string>& photographs,
+                                      const ClaimIndex& claims);
 
 }  // namespace phytobench

@@ -28,6 +28,13 @@ TEST(SvgCaption, IsPlainTextOnceUnescaped) {
             "a < b &amp; \"c\" > d");
 }
 
+TEST(SvgDescription, IsTheRoots) {
+  EXPECT_EQ(svg_description("<svg a=\"b\">\n<title id='a'>T</title>\n<desc id='b'>D &lt; E</desc>"),
+            "D < E");
+  EXPECT_EQ(svg_description("<svg><g><desc>part</desc></g></svg>"), "");
+  EXPECT_EQ(svg_description("<svg><title>open"), "");
+}
+
 TEST(SvgWidth, IsThatOfTheViewBoxWhereLettersStand) {
   EXPECT_EQ(svg_width("<svg viewBox=\"0 0 366.0 330\"><text>x</text></svg>"), 366.0);
   EXPECT_EQ(svg_width("<svg viewBox=\"-4 -1 8 3\"><text>x</text></svg>"), 8.0);
@@ -61,18 +68,76 @@ TEST(FigureOrder, FollowsTheNumbersAndThenTheNames) {
       EXPECT_EQ(is_figure_before(ordered[i], ordered[j]), i < j) << ordered[i] << " " << ordered[j];
 }
 
+nlohmann::ordered_json figures_from(const std::map<std::string, std::string>& pictures,
+                                    const std::map<std::string, std::string>& plot_data = {},
+                                    const ClaimIndex& claims = {}) {
+  return figures_of("p", {pictures, plot_data}, claims);
+}
+
 TEST(FiguresOf, KeepsToItsWorkAndFallsBackToTheName) {
-  const auto figures = figures_of("p", {{"p/e/b.svg", "<svg/>"},
-                                        {"pp/e/c.svg", "<svg/>"},
-                                        {"p/e/figure-1.svg",
-                                         "<svg viewBox=\"0 0 400 9\" aria-label=\"One\"><text/>"
-                                         "</svg>"}});
+  const auto figures = figures_from({{"p/e/b.svg", "<svg/>"},
+                                     {"pp/e/c.svg", "<svg/>"},
+                                     {"p/e/figure-1.svg",
+                                      "<svg viewBox=\"0 0 400 9\" aria-label=\"One\"><text/>"
+                                      "</svg>"}});
   ASSERT_EQ(figures.size(), 2u);
   EXPECT_EQ(figures[0]["caption"], "One");
   EXPECT_EQ(figures[0]["width"], "400");
   EXPECT_EQ(figures[0]["least_width"], "300");
   EXPECT_EQ(figures[1]["caption"], "p/e/b.svg");
   EXPECT_EQ(figures[1]["least_width"], "0");
+}
+
+TEST(FiguresOf, LeadToTheClaimsAboutThem) {
+  Claim claim;
+  claim.id = "p/grows";
+  claim.locator = "figures 4.6 and 4.7";
+  const ClaimIndex claims({{.claim = &claim}}, false);
+  const auto figures = figures_from(
+      {{"p/e/figure-4.7-step-40.svg", "<svg/>"}, {"p/e/figure-4.8.svg", "<svg/>"}}, {}, claims);
+  ASSERT_EQ(figures[0]["claims"].size(), 1u);
+  EXPECT_EQ(figures[0]["claims"][0]["anchor"], "claim-p-grows");
+  EXPECT_EQ(figures[1]["has_claims"], false);
+  EXPECT_EQ(photographs_of("p", {{"p/e/figure-4.6-left.jpg", "x"}}, claims)[0]["has_claims"], true);
+}
+
+TEST(FiguresOf, KeepLargePicturesOutOfThePage) {
+  const std::string large(61 * 1024, ' '), small(59 * 1024, ' ');
+  const auto figures = figures_from({{"p/a.svg", "<svg>" + large}, {"p/b.svg", small}});
+  EXPECT_EQ(figures[0]["in_page"], false);
+  EXPECT_EQ(figures[0]["svg"], "");
+  EXPECT_EQ(figures[0]["file"], "figures/p-a.svg");
+  EXPECT_EQ(figures[1]["in_page"], true);
+  const auto gallery = photographs_of("p", {{"p/a.jpg", large}, {"p/b.jpg", small}}, {});
+  EXPECT_EQ(gallery[0]["source"], "");
+  EXPECT_EQ(gallery[1]["in_page"], true);
+}
+
+TEST(FiguresOf, ShowTheNumbersBehindAPlotEvenWhereItWasNotDrawn) {
+  const auto figures =
+      figures_from({{"p/a.svg", "<svg><title id='t'>A</title><desc>It rises.</desc></svg>"}},
+                   {{"p/a.csv", "x,y\n1,2\n"}, {"p/b.csv", "x,y\n"}});
+  ASSERT_EQ(figures.size(), 2u);
+  EXPECT_EQ(figures[0]["caption"], "A");
+  EXPECT_EQ(figures[0]["description"], "It rises.");
+  EXPECT_EQ(figures[0]["data"]["file"], "figures/p-a.csv");
+  EXPECT_EQ(figures[0]["data"]["rows"][0]["cells"][1], "2");
+  EXPECT_EQ(figures[1]["name"], "p/b.svg");
+  EXPECT_EQ(figures[1]["has_picture"], false);
+  EXPECT_EQ(figures[1]["data"]["has_rows"], false);
+}
+
+TEST(OwnIds, KeepReferencesWithWhatTheyName) {
+  EXPECT_EQ(with_own_ids("<svg aria-labelledby=\"t d\"><title id='t'/><desc id='d'/>"
+                         "<use href='#g'/></svg>",
+                         "x"),
+            "<svg aria-labelledby=\"x-t x-d\"><title id='x-t'/><desc id='x-d'/>"
+            "<use href='#x-g'/></svg>");
+}
+
+TEST(OwnIds, AreThoseOfOnePictureAlone) {
+  EXPECT_EQ(with_own_ids("<g id=\"a\" data-id=\"a\"/><p clip-path=\"url(#a)\"/>", "x"),
+            "<g id=\"x-a\" data-id=\"a\"/><p clip-path=\"url(#x-a)\"/>");
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "reports/scaling_plots.hpp"
 
+#include <utility>
+
+#include "core/record/plot_files.hpp"
 #include "reports/plot/line_plot.hpp"
 
 namespace phytobench {
@@ -43,17 +46,13 @@ PlotSeries floor_curve(const JudgedScaling& scaling) {
   return series;
 }
 
-}  // namespace
-
-std::map<std::string, std::string> scaling_plots(const JudgedScaling& scaling,
-                                                 bool without_varying) {
-  std::map<std::string, std::string> plots;
+std::map<std::string, LinePlot> plots_of(const JudgedScaling& scaling, bool without_varying) {
+  std::map<std::string, LinePlot> plots;
   const auto add = [&](const std::string& name, LinePlot plot) {
     plot.id = scaling.study.id + "-" + name;
     plot.x_label = "attraction points";
     plot.log_x = plot.log_y = true;
-    if (plot.series.empty()) return;
-    if (auto svg = draw(plot)) plots[plot.id] = std::move(*svg);
+    if (!plot.series.empty()) plots[plot.id] = std::move(plot);
   };
   if (!without_varying)
     add("time", {.id = {},
@@ -74,6 +73,32 @@ std::map<std::string, std::string> scaling_plots(const JudgedScaling& scaling,
                .y_label = "distance evaluations per growth",
                .series = std::move(work)});
   return plots;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> scaling_plots(const JudgedScaling& scaling,
+                                                 bool without_varying) {
+  std::map<std::string, std::string> drawn;
+  for (const auto& [id, plot] : plots_of(scaling, without_varying))
+    if (auto svg = draw(plot)) drawn[id] = std::move(*svg);
+  return drawn;
+}
+
+std::map<std::string, std::string> scaling_plot_data(const JudgedScaling& scaling,
+                                                     bool without_varying) {
+  std::map<std::string, std::string> data;
+  for (const auto& [id, plot] : plots_of(scaling, without_varying)) {
+    PlotPanel panel;
+    for (const PlotSeries& series : plot.series)
+      panel.curves.push_back({.name = series.name,
+                              .x = series.x,
+                              .y = series.y,
+                              .low = series.low,
+                              .high = series.high});
+    data[id] = plot_csv({.title = plot.title, .description = plot.description, .panels = {panel}});
+  }
+  return data;
 }
 
 }  // namespace phytobench

@@ -13,4 +13,9 @@ namespace phytobench {
 std::map<std::string, std::string> scaling_plots(const JudgedScaling& scaling,
                                                  bool without_varying);
 
+/// What these pictures show, as CSV (series,x,y,low,high), by the same names; with gnuplot or
+/// without.
+std::map<std::string, std::string> scaling_plot_data(const JudgedScaling& scaling,
+                                                     bool without_varying);
+
 }  // namespace phytobench

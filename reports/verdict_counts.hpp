@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "reports/judge/judge.hpp"
 
@@ -15,5 +17,20 @@ inline constexpr const char* fitted_row = "reproduced, fitted";
 
 /// Whether the run measured anything that the claim rests on.
 bool has_measurement(const Judgement& judgement);
+
+/// Whether a claim has checks for which this run holds no evidence: nothing was found, so nothing
+/// differs from what was predicted.
+bool lacks_evidence(const Judgement& judgement);
+
+/// A row of the counts: a verdict, or a part of one that must not be mistaken for the rest.
+struct VerdictRow {
+  std::string_view name;  ///< as readers see it
+  Verdict verdict;
+};
+
+/// All rows, in the order of a report. Each claim belongs to exactly one.
+std::span<const VerdictRow> verdict_rows();
+
+const VerdictRow& row_of(const Judgement& judgement);
 
 }  // namespace phytobench

@@ -28,5 +28,32 @@ TEST(HasMeasurement, NeedsOneTermThatIsNotMissing) {
   EXPECT_TRUE(has_measurement(judgement));
 }
 
+std::string row_name(Verdict verdict, const Claim& claim) {
+  return std::string(row_of({.claim = &claim, .verdict = verdict}).name);
+}
+
+TEST(VerdictRow, IsTheVerdictWhereThatSaysAll) {
+  for (const Verdict verdict : all_verdicts) {
+    if (verdict == Verdict::not_measured) continue;
+    EXPECT_EQ(row_name(verdict, {}), name_of(verdict));
+  }
+}
+
+TEST(VerdictRow, TellsApartWhatWasFitted) {
+  Claim fitted;
+  fitted.basis = "fitted";
+  EXPECT_EQ(row_name(Verdict::reproduced, fitted), fitted_row);
+  EXPECT_EQ(row_name(Verdict::not_reproduced, fitted), "not reproduced");
+}
+
+TEST(VerdictRow, TellsApartWhyNothingWasMeasured) {
+  Claim unseen, uncheckable, without_model;
+  uncheckable.fixed_verdict = without_model.fixed_verdict = Verdict::not_measured;
+  without_model.missing_model = "L-systems";
+  EXPECT_EQ(row_name(Verdict::not_measured, unseen), "not measured in this run");
+  EXPECT_EQ(row_name(Verdict::not_measured, uncheckable), "not measured: no check");
+  EXPECT_EQ(row_name(Verdict::not_measured, without_model), "not measured: model not built yet");
+}
+
 }  // namespace
 }  // namespace phytobench

@@ -30,8 +30,7 @@ double distance_of_pair(const Discs& zone, const Ground& ground, std::size_t i, 
       const double d = center_distance(zone, ground, i, j, {nearest.x + x, nearest.y + y});
       if (lens_area(r, s, d) == overlap) return d;
     }
-  PHYTOBENCH_ENSURE(!"the overlap of a pair belongs to one of its images");
-  return shortest;
+  throw ContractViolation("the overlap of a pair belongs to none of its images");
 }
 
 }  // namespace phytobench

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The files of one run: records.jsonl, timings.jsonl, environment.json, artifacts/.
+// What one run has left: records.jsonl, timings.jsonl, environment.json, artifacts/.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <set>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -28,42 +27,14 @@ struct RunContents {
   std::set<std::string> complete_experiments;
 };
 
-/// Reads a run's folder. Throws InputError with file and line for anything that is not a run of
-/// this suite: a foreign schema, a broken line that is not the last, a duplicate measurement.
+/// Reads a run's folder, also while the run goes on. Throws InputError with file and line for
+/// anything that is not a run of this suite, or not as it was written: a foreign schema, lines that
+/// were changed, lost, repeated or moved, files of different runs, another environment.json,
+/// changed artifacts. Only what looks like an experiment that was being written when the program
+/// died is left out without a word.
 RunContents read_run(const std::filesystem::path& folder);
 
-/// environment.json of a run, or "{}" if it has none.
+/// environment.json of a run, or "{}" if it has none. read_run() says whether it is the run's.
 std::string read_environment(const std::filesystem::path& folder);
-
-enum class RunMode {
-  fresh,   ///< the folder must hold no records yet
-  resume,  ///< finished experiments are kept, a half-written one is dropped
-};
-
-class RunWriter {
- public:
-  /// Opens or continues a run. Throws InputError if the mode does not fit what is there,
-  /// EnvironmentError if nothing can be written.
-  RunWriter(std::filesystem::path folder, const RunHeader& header, RunMode mode);
-
-  bool is_complete(const std::string& experiment) const { return complete_.contains(experiment); }
-
-  /// Appends all of an experiment at once and marks it complete. On failure the files are cut back
-  /// to what they were.
-  void append(const std::string& experiment, std::span<const Record> records,
-              std::span<const TimingSample> timings);
-
-  void write_environment(const std::string& json);
-
-  /// artifacts/<experiment>/<name>.
-  void write_artifact(const std::string& experiment, const std::string& name,
-                      const std::string& content);
-
-  const std::filesystem::path& folder() const { return folder_; }
-
- private:
-  std::filesystem::path folder_;
-  std::set<std::string> complete_;
-};
 
 }  // namespace phytobench

@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/record/run_files.hpp"
 
-#include <unistd.h>
-
-#include <fstream>
 #include <limits>
-#include <utility>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include "core/contract/errors.hpp"
-#include "core/contract/text_file.hpp"
+#include "core/record/run_folder_fixture.hpp"
 
 namespace phytobench {
 namespace {
@@ -20,89 +12,21 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr RunHeader quick_seven{.tier = Tier::quick, .seed = 7};
-constexpr const char* header_line = R"({"schema":"phytobench/records-1","tier":"quick","seed":7})"
-                                    "\n";
-
-Record record_of(const std::string& experiment, const std::string& name, RecordValue value) {
-  return {
-      .experiment = experiment, .measurement = experiment + "/" + name, .value = std::move(value)};
-}
-
-TimingSample timing_of(const std::string& experiment, double seconds) {
-  return {.experiment = experiment, .measurement = experiment + "/time", .value = seconds};
-}
-
-std::string record_line(const std::string& experiment, const std::string& name) {
-  return to_json_line(record_of(experiment, name, std::int64_t{1})) + "\n";
-}
-
-std::string completion_line(const std::string& experiment, int records) {
-  return R"({"experiment":")" + experiment + R"(","complete":true,"records":)" +
-         std::to_string(records) + "}\n";
-}
-
-/// What one experiment leaves behind.
-std::vector<Record> records_of(const std::string& experiment) {
-  return {record_of(experiment, "count", std::int64_t{3}), record_of(experiment, "share", 0.1),
-          record_of(experiment, "hash", std::string("00ff"))};
-}
-
-std::vector<TimingSample> timings_of(const std::string& experiment) {
-  return {timing_of(experiment, 0.5), timing_of(experiment, 0.25)};
-}
-
-void append_to(RunWriter& writer, const std::string& experiment) {
-  writer.append(experiment, records_of(experiment), timings_of(experiment));
-}
-
-void append_text(const fs::path& file, const std::string& text) {
-  std::ofstream(file, std::ios::binary | std::ios::app) << text;
-}
-
-/// The message of the InputError that an action ends with.
-template <class Action>
-std::string input_error(const Action& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-/// A run's folder per test, not there at first and removed afterwards.
-class RunFiles : public testing::Test {
+class RunFiles : public RunFolder {
  protected:
-  void SetUp() override {
-    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-    base_ = fs::path(testing::TempDir()) / (std::string("phytobench-") + test->test_suite_name() +
-                                            "-" + test->name() + "-" + std::to_string(::getpid()));
-    fs::remove_all(base_);
-    folder_ = base_ / "run";
+  /// "FILE:line: ".
+  static std::string at(const fs::path& file, int line) {
+    return file.string() + ":" + std::to_string(line) + ": ";
   }
 
-  void TearDown() override { fs::remove_all(base_); }
-
-  fs::path records_file() const { return folder_ / "records.jsonl"; }
-  fs::path timings_file() const { return folder_ / "timings.jsonl"; }
-
-  RunWriter start() const { return RunWriter(folder_, quick_seven, RunMode::fresh); }
-  RunWriter resume() const { return RunWriter(folder_, quick_seven, RunMode::resume); }
-
-  /// What reading says about a run with these lines after the header; starts with the file's name.
-  std::string complaint(const std::string& lines) const {
-    write_file_atomically(records_file(), header_line + lines);
-    return input_error([this] { read_run(folder_); });
+  /// Of two experiments, with an environment and an artifact.
+  void write_rich_run() const {
+    RunWriter writer = start();
+    writer.write_environment("{\"machine\":\"a\"}\n");
+    append_to(writer, "p/one");
+    writer.write_artifact("p/two", "tree.svg", "<svg/>");
+    append_to(writer, "p/two");
   }
-
-  /// "FILE:line: " of the records.
-  std::string records_at(int line) const {
-    return records_file().string() + ":" + std::to_string(line) + ": ";
-  }
-
-  fs::path base_;
-  fs::path folder_;
 };
 
 TEST_F(RunFiles, ComeBackAsTheyWereWritten) {
@@ -166,290 +90,161 @@ TEST_F(RunFiles, ValuesKeepEveryBitAndTheirKind) {
     EXPECT_TRUE(run.records[i].value == values[i]) << "value " << i;
 }
 
-TEST_F(RunFiles, StartWithTheirSchemaTierAndSeed) {
-  start();
-  EXPECT_EQ(read_text_file(records_file()), header_line);
-  EXPECT_EQ(read_text_file(timings_file()), "");
-  const RunContents run = read_run(folder_);
-  EXPECT_EQ(run.header, quick_seven);
-  EXPECT_TRUE(run.records.empty());
-  EXPECT_TRUE(run.complete_experiments.empty());
+TEST_F(RunFiles, TellWhatIsNoRun) {
+  EXPECT_THAT(complaint(), StartsWith(folder_.string() + ": no such folder"));
+  make_folder(folder_);
+  EXPECT_THAT(complaint(), HasSubstr("holds no records.jsonl"));
+  make_folder(records_file());
+  EXPECT_THAT(complaint(), StartsWith(records_file().string() + ": is a folder"));
+  fs::remove(records_file());
+  overwrite(records_file(), R"({"schema":"other/1"})"
+                            "\n");
+  EXPECT_THAT(complaint(), StartsWith(at(records_file(), 1) + "not a run of this suite"));
+  overwrite(folder_ / "file", "");
+  EXPECT_THAT(input_error([this] { read_run(folder_ / "file"); }), HasSubstr("no such folder"));
 }
 
-TEST_F(RunFiles, KnowWhichExperimentsAreComplete) {
-  RunWriter writer = start();
-  EXPECT_FALSE(writer.is_complete("p/one"));
-  append_to(writer, "p/one");
-  EXPECT_TRUE(writer.is_complete("p/one"));
-  EXPECT_FALSE(writer.is_complete("p/two"));
-  const RunWriter resumed = resume();
-  EXPECT_TRUE(resumed.is_complete("p/one"));
-  EXPECT_FALSE(resumed.is_complete("p/two"));
-}
-
-TEST_F(RunFiles, FreshRunOverRecordsIsAnInputError) {
-  start();
-  const std::string before = read_text_file(records_file());
-  EXPECT_THAT(input_error([this] { start(); }), StartsWith(folder_.string() + ": already holds"));
-  EXPECT_EQ(read_text_file(records_file()), before);
-}
-
-TEST_F(RunFiles, FreshRunMayUseAFolderWithoutRecords) {
-  write_file_atomically(folder_ / "notes.txt", "kept");
-  start();
-  EXPECT_EQ(read_text_file(folder_ / "notes.txt"), "kept");
-  EXPECT_EQ(read_run(folder_).header, quick_seven);
-}
-
-TEST_F(RunFiles, ResumeOfNothingStartsAFreshRun) {
-  resume();
-  EXPECT_EQ(read_text_file(records_file()), header_line);
-}
-
-TEST_F(RunFiles, ResumeWithAnotherSeedOrTierIsAnInputError) {
-  RunWriter writer = start();
-  append_to(writer, "p/one");
-  const std::string before = read_text_file(records_file());
-  for (const RunHeader& other : {RunHeader{Tier::quick, 8}, RunHeader{Tier::full, 7}}) {
-    const auto resume_other = [&] { RunWriter(folder_, other, RunMode::resume); };
-    EXPECT_THAT(input_error(resume_other), HasSubstr("--tier quick --seed 7"));
+TEST_F(RunFiles, LeaveOutAnExperimentThatWasBeingWritten) {
+  write_run({"p/one"});
+  const std::string records = read_text_file(records_file());
+  const std::string timings = read_text_file(timings_file());
+  {
+    RunWriter writer = resume();
+    append_to(writer, "p/two");
   }
-  EXPECT_EQ(read_text_file(records_file()), before);
-}
-
-TEST_F(RunFiles, RunBelowAFileIsAnEnvironmentError) {
-  write_file_atomically(base_ / "file", "kept");
-  EXPECT_THROW(RunWriter(base_ / "file", quick_seven, RunMode::fresh), EnvironmentError);
-  EXPECT_THROW(RunWriter(base_ / "file" / "run", quick_seven, RunMode::fresh), EnvironmentError);
-  EXPECT_EQ(read_text_file(base_ / "file"), "kept");
-}
-
-TEST_F(RunFiles, AppendToAVanishedFolderIsAnEnvironmentError) {
-  RunWriter writer = start();
-  fs::remove_all(folder_);
-  EXPECT_THROW(append_to(writer, "p/one"), EnvironmentError);
-  EXPECT_FALSE(writer.is_complete("p/one"));
-}
-
-TEST_F(RunFiles, TruncatedLastLineIsDroppedAndItsExperimentIsNotComplete) {
-  RunWriter writer = start();
-  append_to(writer, "p/one");
-  const std::string completion = completion_line("p/two", 1);
-  append_text(records_file(),
-              record_line("p/two", "count") + completion.substr(0, completion.size() - 1));
-  const RunContents run = read_run(folder_);
-  EXPECT_EQ(run.complete_experiments, std::set<std::string>{"p/one"});
-  ASSERT_EQ(run.records.size(), 3u);
-  for (const Record& record : run.records) EXPECT_EQ(record.experiment, "p/one");
-  // Only the line end was missing.
-  append_text(records_file(), "\n");
-  EXPECT_EQ(read_run(folder_).records.size(), 4u);
-}
-
-TEST_F(RunFiles, LineBrokenOffInsideAWordIsDropped) {
-  RunWriter writer = start();
-  append_to(writer, "p/one");
+  const std::string more_timings = read_text_file(timings_file());
+  // The timings are written first, at any length, and then the records.
+  for (std::size_t cut = timings.size(); cut <= more_timings.size(); cut += 7) {
+    overwrite(timings_file(), more_timings.substr(0, cut));
+    overwrite(records_file(), records);
+    const RunContents run = read_run(folder_);
+    EXPECT_EQ(run.complete_experiments, std::set<std::string>{"p/one"}) << cut;
+    EXPECT_EQ(run.records.size(), 3u) << cut;
+    EXPECT_EQ(run.timings.size(), 2u) << cut;
+  }
+  overwrite(timings_file(), more_timings);
   append_text(records_file(), record_line("p/two", "count") + R"({"experiment":"p/tw)");
   EXPECT_EQ(read_run(folder_).complete_experiments, std::set<std::string>{"p/one"});
 }
 
-TEST_F(RunFiles, BrokenLineInTheMiddleIsAnInputErrorAtThatLine) {
-  for (const char* broken : {"{broken\n", "\n", "[]\n", "3\n", "{}\n",
-                             R"({"experiment":"p/one"})"
-                             "\n"})
-    EXPECT_THAT(complaint(record_line("p/one", "count") + broken + completion_line("p/one", 1)),
-                StartsWith(records_at(3)))
-        << broken;
+TEST_F(RunFiles, ChangedDigitIsAnInputErrorThatNamesItsSection) {
+  write_rich_run();
+  std::string text = read_text_file(records_file());
+  const std::size_t digit = text.find("0.1");
+  text[digit + 2] = '2';
+  overwrite(records_file(), text);
+  EXPECT_THAT(complaint(), StartsWith(at(records_file(), 5) + "lines 2 to 5 were changed"));
+  EXPECT_THAT(complaint(), HasSubstr("run the experiments again"));
 }
 
-TEST_F(RunFiles, ValueThatIsNeitherNumberNorTextIsAnInputErrorAtItsLine) {
-  for (const char* value : {"null", "true", "[1]", "{}"}) {
-    const std::string line = R"({"experiment":"p/one","measurement":"p/one/m","value":)" +
-                             std::string(value) + R"(,"unit":"1","n":1})" + "\n";
-    EXPECT_THAT(complaint(line), StartsWith(records_at(2))) << value;
-    EXPECT_THAT(complaint(line), HasSubstr("neither number nor text")) << value;
-  }
-}
-
-TEST_F(RunFiles, ForeignSchemaIsAnInputErrorInTheFirstLine) {
-  for (const char* first : {R"({"schema":"phytobench/records-2","tier":"quick","seed":7})",
-                            R"({"tier":"quick","seed":7})",
-                            R"({"schema":3,"tier":"quick","seed":7})", "[]", "3", "{}"}) {
-    write_file_atomically(records_file(), std::string(first) + "\n");
-    const std::string message = input_error([this] { read_run(folder_); });
-    EXPECT_THAT(message, StartsWith(records_at(1))) << first;
-    EXPECT_THAT(message, HasSubstr("phytobench/records-1")) << first;
-  }
-}
-
-TEST_F(RunFiles, HeaderWithoutTierOrSeedIsAnInputErrorInTheFirstLine) {
-  for (const char* first : {R"({"schema":"phytobench/records-1","tier":"quick"})",
-                            R"({"schema":"phytobench/records-1","seed":7})",
-                            R"({"schema":"phytobench/records-1","tier":"slow","seed":7})",
-                            R"({"schema":"phytobench/records-1","tier":3,"seed":7})",
-                            R"({"schema":"phytobench/records-1","tier":"quick","seed":"7"})"}) {
-    write_file_atomically(records_file(), std::string(first) + "\n");
-    EXPECT_THAT(input_error([this] { read_run(folder_); }), StartsWith(records_at(1))) << first;
-  }
-}
-
-TEST_F(RunFiles, MissingFolderMissingRecordsAndEmptyRecordsAreInputErrors) {
-  const auto read = [this] { read_run(folder_); };
-  EXPECT_THAT(input_error(read), StartsWith(folder_.string() + ": no such folder"));
-  make_folder(folder_);
-  EXPECT_THAT(input_error(read), HasSubstr("holds no records.jsonl"));
-  write_file_atomically(records_file(), "");
-  EXPECT_THAT(input_error(read), HasSubstr("is empty"));
-  // The header itself was being written.
-  write_file_atomically(records_file(),
-                        R"({"schema":"phytobench/records-1","tier":"quick","seed":7})");
-  EXPECT_THAT(input_error(read), HasSubstr("is empty"));
-}
-
-TEST_F(RunFiles, DuplicateMeasurementIsAnInputError) {
-  const std::string twice = record_line("p/one", "count") + record_line("p/one", "count");
-  EXPECT_THAT(complaint(twice + completion_line("p/one", 2)),
-              StartsWith(records_at(4) + "measurement 'p/one/count' stands here twice"));
-  // The same name in another experiment.
-  Record foreign = record_of("p/two", "count", std::int64_t{1});
-  foreign.measurement = "p/one/count";
-  EXPECT_THAT(complaint(record_line("p/one", "count") + completion_line("p/one", 1) +
-                        to_json_line(foreign) + "\n" + completion_line("p/two", 1)),
-              StartsWith(records_at(5) + "measurement 'p/one/count' stands here twice"));
-}
-
-TEST_F(RunFiles, CompletionWithAWrongNumberOfRecordsIsAnInputError) {
-  for (const int number : {0, 2})
-    EXPECT_THAT(complaint(record_line("p/one", "count") + completion_line("p/one", number)),
-                StartsWith(records_at(3) + "experiment 'p/one' lost or gained records"));
-  EXPECT_EQ(complaint(record_line("p/one", "count") + completion_line("p/one", 1)), "no error");
-}
-
-TEST_F(RunFiles, ExperimentCompletedTwiceIsAnInputError) {
-  EXPECT_THAT(complaint(record_line("p/one", "a") + completion_line("p/one", 1) +
-                        record_line("p/one", "b") + completion_line("p/one", 1)),
-              StartsWith(records_at(5) + "experiment 'p/one' stands here twice"));
-}
-
-TEST_F(RunFiles, RecordsOfSeveralExperimentsMayInterleave) {
-  EXPECT_EQ(
-      complaint(record_line("p/one", "a") + record_line("p/two", "a") + record_line("p/one", "b") +
-                completion_line("p/one", 2) + completion_line("p/two", 1)),
-      "no error");
-  EXPECT_EQ(read_run(folder_).records.size(), 3u);
-}
-
-TEST_F(RunFiles, TimingsOfIncompleteExperimentsAreDropped) {
-  {
-    RunWriter writer = start();
-    append_to(writer, "p/one");
-  }
-  append_text(timings_file(), to_json_line(timing_of("p/two", 1.0)) + "\n");
-  const RunContents run = read_run(folder_);
-  ASSERT_EQ(run.timings.size(), 2u);
-  for (const TimingSample& sample : run.timings) EXPECT_EQ(sample.experiment, "p/one");
-  // Resuming takes them out of the file as well.
-  resume();
-  EXPECT_THAT(read_text_file(timings_file()), testing::Not(HasSubstr("p/two")));
-  EXPECT_EQ(read_run(folder_).timings.size(), 2u);
-}
-
-TEST_F(RunFiles, TruncatedTimingIsDropped) {
-  RunWriter writer = start();
-  append_to(writer, "p/one");
-  append_text(timings_file(), R"({"experiment":"p/one","measure)");
-  EXPECT_EQ(read_run(folder_).timings.size(), 2u);
-}
-
-TEST_F(RunFiles, ImpossibleTimingIsAnInputErrorAtItsLine) {
-  RunWriter writer = start();
-  append_to(writer, "p/one");
-  for (const double seconds : {0.0, -1.0}) {
-    write_file_atomically(timings_file(), to_json_line(timing_of("p/one", 1.0)) + "\n" +
-                                              to_json_line(timing_of("p/one", seconds)) + "\n");
-    EXPECT_THAT(input_error([this] { read_run(folder_); }),
-                StartsWith(timings_file().string() + ":2: "))
-        << seconds;
-  }
-}
-
-TEST_F(RunFiles, ResumeDropsTheHalfWrittenExperimentFromTheFile) {
-  {
-    RunWriter writer = start();
-    append_to(writer, "p/one");
-  }
-  const std::string whole = read_text_file(records_file());
-  append_text(records_file(), record_line("p/two", "count") + R"({"experiment":"p/two","compl)");
-  const RunWriter resumed = resume();
-  EXPECT_EQ(read_text_file(records_file()), whole);
-  EXPECT_TRUE(resumed.is_complete("p/one"));
-  EXPECT_FALSE(resumed.is_complete("p/two"));
-}
-
-TEST_F(RunFiles, ResumeOfABrokenRunIsAnInputErrorAndLeavesItAlone) {
-  const std::string broken = std::string(header_line) + "{broken\n" + record_line("p/one", "count");
-  write_file_atomically(records_file(), broken);
-  EXPECT_THAT(input_error([this] { resume(); }), StartsWith(records_at(2)));
-  EXPECT_EQ(read_text_file(records_file()), broken);
-}
-
-TEST_F(RunFiles, EnvironmentComesBackOrIsAnEmptyObject) {
-  const RunWriter untouched = start();
-  EXPECT_EQ(read_environment(folder_), "{}");
-  RunWriter writer = resume();
-  writer.write_environment(R"({"seed":7})");
-  EXPECT_EQ(read_environment(folder_), R"({"seed":7})");
-}
-
-TEST_F(RunFiles, ArtifactsLieBelowTheirExperiment) {
-  RunWriter writer = start();
-  EXPECT_EQ(writer.folder(), folder_);
-  writer.write_artifact("p/one", "tree.svg", "<svg/>");
-  EXPECT_EQ(read_text_file(folder_ / "artifacts" / "p" / "one" / "tree.svg"), "<svg/>");
-}
-
-class RunFilesLaw : public RunFiles {};
-
-TEST_F(RunFilesLaw, SameRecordsGiveTheSameBytes) {
-  const fs::path other = base_ / "other";
-  for (const fs::path& folder : {folder_, other}) {
-    RunWriter writer(folder, quick_seven, RunMode::fresh);
-    append_to(writer, "p/one");
-    append_to(writer, "p/two");
-  }
-  EXPECT_EQ(read_text_file(other / "records.jsonl"), read_text_file(records_file()));
-  EXPECT_EQ(read_text_file(other / "timings.jsonl"), read_text_file(timings_file()));
-  EXPECT_THAT(read_text_file(records_file()), HasSubstr("p/two/share"));
-}
-
-TEST_F(RunFilesLaw, InterruptedAndResumedRunGivesTheSameBytes) {
-  const fs::path other = base_ / "other";
-  RunWriter uninterrupted(other, quick_seven, RunMode::fresh);
-  append_to(uninterrupted, "p/one");
-  append_to(uninterrupted, "p/two");
-  {
-    RunWriter writer = start();
-    append_to(writer, "p/one");
-  }
-  append_text(timings_file(), to_json_line(timing_of("p/two", 0.5)) + "\n");
-  append_text(records_file(), record_line("p/two", "count"));
-  RunWriter resumed = resume();
-  append_to(resumed, "p/two");
-  EXPECT_EQ(read_text_file(records_file()), read_text_file(other / "records.jsonl"));
-  EXPECT_EQ(read_text_file(timings_file()), read_text_file(other / "timings.jsonl"));
-}
-
-TEST_F(RunFilesLaw, ResumingTwiceChangesNothing) {
-  RunWriter writer = start();
-  append_to(writer, "p/one");
-  append_to(writer, "p/two");
+TEST_F(RunFiles, LostRecordsOrTimingsAreAnInputError) {
+  write_run({"p/one", "p/two", "p/three"});
   const std::string records = read_text_file(records_file());
   const std::string timings = read_text_file(timings_file());
-  for (int i = 0; i < 2; ++i) {
-    EXPECT_TRUE(resume().is_complete("p/two"));
-    EXPECT_EQ(read_text_file(records_file()), records);
-    EXPECT_EQ(read_text_file(timings_file()), timings);
+  const auto first_lines = [](const std::string& text, int lines) {
+    std::size_t end = 0;
+    while (lines-- > 0) end = text.find('\n', end) + 1;
+    return text.substr(0, end);
+  };
+  overwrite(records_file(), first_lines(records, 5));
+  EXPECT_THAT(complaint(), StartsWith(at(records_file(), 5) + "the records of 'p/two' are lost"));
+  overwrite(records_file(), records);
+  overwrite(timings_file(), first_lines(timings, 4));
+  EXPECT_THAT(complaint(), StartsWith(at(timings_file(), 4) + "the timings of 'p/two' are lost"));
+  fs::remove(timings_file());
+  EXPECT_THAT(complaint(), StartsWith(timings_file().string() + ": is lost"));
+}
+
+TEST_F(RunFiles, TimingsOfOtherRecordsAreAnInputError) {
+  write_run({"p/one"});
+  const std::string timings = read_text_file(timings_file());
+  fs::remove_all(folder_);
+  {
+    RunWriter writer(folder_, {Tier::quick, 8}, RunMode::fresh);
+    append_to(writer, "p/one");
   }
+  overwrite(timings_file(), timings);
+  EXPECT_THAT(complaint(),
+              StartsWith(at(timings_file(), 4) + "the timings of 'p/one' belong to other records"));
+}
+
+TEST_F(RunFiles, OtherEnvironmentIsAnInputError) {
+  write_rich_run();
+  EXPECT_EQ(complaint(), "no error");
+  EXPECT_EQ(read_environment(folder_), "{\"machine\":\"a\"}\n");
+  overwrite(environment_file(), "{\"machine\":\"b\"}\n");
+  EXPECT_THAT(complaint(), StartsWith(environment_file().string() + ": was changed"));
+  fs::remove(environment_file());
+  EXPECT_THAT(complaint(), StartsWith(environment_file().string() + ": is lost"));
+}
+
+TEST_F(RunFiles, EnvironmentThatNobodyWroteIsAnInputError) {
+  write_run({"p/one"});
+  EXPECT_EQ(read_environment(folder_), "{}");
+  overwrite(environment_file(), "{}");
+  EXPECT_THAT(complaint(), StartsWith(environment_file().string() + ": was changed"));
+}
+
+TEST_F(RunFiles, EnvironmentIsThatOfTheLastStartThatMeasured) {
+  write_rich_run();
+  const std::string first = read_text_file(environment_file());
+  {
+    RunWriter writer = resume();
+    writer.write_environment("second");
+  }
+  EXPECT_EQ(complaint(), "no error");
+  overwrite(environment_file(), first);  // killed before it was replaced
+  EXPECT_EQ(complaint(), "no error");
+  {
+    RunWriter writer = resume();
+    writer.write_environment("third");
+    append_to(writer, "p/three");
+  }
+  EXPECT_EQ(complaint(), "no error");
+  for (const std::string& earlier : {first, std::string("second")}) {
+    overwrite(environment_file(), earlier);
+    EXPECT_THAT(complaint(), StartsWith(environment_file().string() + ": was changed")) << earlier;
+  }
+}
+
+TEST_F(RunFiles, ChangedOrLostArtifactIsAnInputError) {
+  write_rich_run();
+  const fs::path artifact = folder_ / "artifacts" / "p" / "two" / "tree.svg";
+  overwrite(artifact, "<svG/>");
+  EXPECT_THAT(complaint(), StartsWith(artifact.string() + ": was changed since 'p/two' wrote it"));
+  fs::remove(artifact);
+  EXPECT_THAT(complaint(), StartsWith(artifact.string() + ": is lost since 'p/two' wrote it"));
+}
+
+TEST_F(RunFiles, CanBeReadWhileTheyAreWritten) {
+  RunWriter writer = start();
+  EXPECT_TRUE(read_run(folder_).complete_experiments.empty());
+  append_to(writer, "p/one");
+  EXPECT_EQ(read_run(folder_).complete_experiments.size(), 1u);
+}
+
+TEST(RunFilesSlow, AHundredThousandRecordsAndTimingsAreRead) {
+  const fs::path folder =
+      fs::path(testing::TempDir()) / ("phytobench-many-records-" + std::to_string(::getpid()));
+  fs::remove_all(folder);
+  constexpr int experiments = 100, records_each = 1000;
+  {
+    RunWriter writer(folder, quick_seven, RunMode::fresh);
+    for (int e = 0; e < experiments; ++e) {
+      const std::string name = "p/" + std::to_string(e);
+      std::vector<Record> records;
+      std::vector<TimingSample> timings;
+      for (int i = 0; i < records_each; ++i) {
+        records.push_back(record_of(name, std::to_string(i), 1.0 / (i + 1)));
+        timings.push_back(timing_of(name, 0.5 + i));
+      }
+      writer.append(name, records, timings);
+    }
+  }
+  const RunContents run = read_run(folder);
+  fs::remove_all(folder);
+  EXPECT_EQ(run.records.size(), std::size_t{experiments * records_each});
+  EXPECT_EQ(run.timings.size(), std::size_t{experiments * records_each});
 }
 
 }  // namespace

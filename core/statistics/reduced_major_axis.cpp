@@ -5,33 +5,11 @@
 #include <vector>
 
 #include "core/contract/check.hpp"
+#include "core/statistics/moments.hpp"
 
 namespace phytobench {
 
 namespace {
-
-/// Deviations from the mean of values.
-struct Centred {
-  double mean = 0.0;
-  std::vector<double> off;
-};
-
-Centred centred(std::span<const double> values) {
-  double excess = 0.0;
-  for (const double value : values) {
-    PHYTOBENCH_EXPECT(std::isfinite(value));
-    excess += value - values[0];
-  }
-  Centred result{values[0] + excess / static_cast<double>(values.size()), {}};
-  for (const double value : values) result.off.push_back(value - result.mean);
-  return result;
-}
-
-double product_sum(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 bool all_equal(std::span<const double> values) {
   for (const double value : values)
@@ -40,7 +18,7 @@ bool all_equal(std::span<const double> values) {
 }
 
 struct Moments {
-  Centred x, y;
+  CentredValues x, y;
   double xx, yy, xy;  ///< sums of products of deviations
   double scatter;     ///< sum of squared vertical distances from the line of least squares
 };
@@ -50,19 +28,19 @@ std::optional<Moments> moments(std::span<const double> x, std::span<const double
   if (x.size() < 3) return std::nullopt;
   Moments m{centred(x), centred(y), 0.0, 0.0, 0.0, 0.0};
   if (all_equal(x) || all_equal(y)) return std::nullopt;
-  m.xx = product_sum(m.x.off, m.x.off);
-  m.yy = product_sum(m.y.off, m.y.off);
-  m.xy = product_sum(m.x.off, m.y.off);
+  m.xx = product_sum(m.x.deviations, m.x.deviations);
+  m.yy = product_sum(m.y.deviations, m.y.deviations);
+  m.xy = product_sum(m.x.deviations, m.y.deviations);
   // Residuals one by one: 1 - r^2 would cancel where points lie close to a line.
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const double residual = m.y.off[i] - m.xy / m.xx * m.x.off[i];
+    const double residual = m.y.deviations[i] - m.xy / m.xx * m.x.deviations[i];
     m.scatter += residual * residual;
   }
   return m;
 }
 
 StraightLine line_of(const Moments& m, double slope) {
-  const std::size_t points = m.x.off.size();
+  const std::size_t points = m.x.deviations.size();
   return {.slope = slope,
           .slope_error = std::sqrt(m.scatter / static_cast<double>(points - 2) / m.xx),
           .intercept = m.y.mean - slope * m.x.mean,

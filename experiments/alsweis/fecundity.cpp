@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "core/picture/curve_svg.hpp"
 #include "core/population/density_laws.hpp"
 #include "core/population/richards_growth.hpp"
 #include "core/random/counter_stream.hpp"
 #include "core/statistics/reduced_major_axis.hpp"
 #include "experiments/alsweis/golden_section.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/plot_artifacts.hpp"
 #include "reference/oracles/alsweis_growth.hpp"
 
 namespace phytobench::experiments::alsweis {
@@ -75,26 +75,27 @@ void record_linear_fecundity(ExperimentContext& context) {
 }
 
 void draw_figure(ExperimentContext& context) {
-  CurvePanel weight{
-      .curves = {{.name = "", .x = {0, 10}, .y = {seeds_of_weight(0), seeds_of_weight(10)}}},
+  PlotPanel weight{
+      .curves = {{.name = "seeds", .x = {0, 10}, .y = {seeds_of_weight(0), seeds_of_weight(10)}}},
       .caption = "a) over weight, as the text says",
       .x_label = "weight w",
       .y_label = "seeds b",
       .y_range = AxisRange{0, 25}};
-  CurvePanel time{.curves = {{.name = "", .x = {}, .y = {}}},
-                  .caption = "b) over time, as the caption says",
-                  .x_label = "time",
-                  .y_label = "seeds b",
-                  .y_range = AxisRange{0, 25}};
+  PlotPanel time{.curves = {{.name = "seeds", .x = {}, .y = {}}},
+                 .caption = "b) over time, as the caption says",
+                 .x_label = "time",
+                 .y_label = "seeds b",
+                 .y_range = AxisRange{0, 25}};
   for (int t = 0; t <= end_of_growth; ++t) {
     time.curves[0].x.push_back(t);
     time.curves[0].y.push_back(seeds_at(t));
   }
-  context.artifact(
-      "figure-2.2.svg",
-      curve_svg(
-          {weight, time},
-          "Figure 2.2: seeds are linear in weight, not in time; logistic growth, b = 4 + 2 w"));
+  add_plot(
+      context, "figure-2.2",
+      {.title = "Figure 2.2: seeds are linear in weight, not in time",
+       .description = "Over weight the seeds b = 4 + 2 w lie on a straight line; over time they "
+                      "follow the S of the plant's logistic growth.",
+       .panels = {weight, time}});
 }
 
 /// (2.5) as a straight line in its own scales.

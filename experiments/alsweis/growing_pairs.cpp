@@ -12,10 +12,10 @@
 #include <fmt/format.h>
 
 #include "core/overlap/overlap_registry.hpp"
-#include "core/picture/curve_svg.hpp"
 #include "core/population/population.hpp"
 #include "core/random/counter_stream.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/plot_artifacts.hpp"
 #include "reference/oracles/alsweis_competition_zones.hpp"
 #include "reference/oracles/alsweis_stand.hpp"
 
@@ -91,7 +91,7 @@ constexpr std::pair<char, double> kinds_of_roots[] = {{'f', 0.0}, {'c', 0.5}, {'
 
 /// Figure 7.8: flat (f), medium (c) and deep (t) roots beside each other.
 void record_roots(ExperimentContext& context) {
-  std::vector<CurvePanel> panels;
+  std::vector<PlotPanel> panels;
   double off = 0.0;
   for (const auto& [own, own_rank] : kinds_of_roots)
     for (const auto& [other, other_rank] : kinds_of_roots) {
@@ -116,10 +116,9 @@ void record_roots(ExperimentContext& context) {
       for (int t = 0; t <= steps; ++t) time.push_back(t);
       const char* kind = own == 'f' ? "flat" : own == 'c' ? "medium" : "deep";
       panels.push_back(
-          {.curves =
-               {{.name = "roots named above", .x = time, .y = pair[0]},
-                {.name = "deep roots beside", .x = time, .y = pair[1]},
-                {.name = "alone", .x = time, .y = grown_alone(), .style = CurveStyle::dotted}},
+          {.curves = {{.name = "roots named above", .x = time, .y = pair[0]},
+                      {.name = "deep roots beside", .x = time, .y = pair[1]},
+                      {.name = "alone", .x = time, .y = grown_alone(), .style = PlotStyle::dotted}},
            .caption = fmt::format("{} beside deep roots", kind),
            .x_label = "step",
            .y_label = "stem radius, m",
@@ -127,8 +126,13 @@ void record_roots(ExperimentContext& context) {
     }
   context.record("roots/largest_difference_from_print", off);
   context.record("alone/after-80", grown_alone().back(), "m");
-  context.artifact("roots-over-time.svg",
-                   curve_svg(panels, "Growth of two neighbours by their roots"));
+  add_plot(context, "roots-over-time",
+           {.title = "Growth of two neighbours by their roots",
+            .description = "Stem radius of a plant and of its deep-rooted neighbour over the "
+                           "steps, one panel per kind of roots, and of the same plant alone: "
+                           "flat roots stay farthest behind and hinder their neighbour least, "
+                           "equal roots share the loss.",
+            .panels = panels});
 }
 
 /// Figure 7.10: the plant that stays healthy, beside an ill one and others.
@@ -146,27 +150,32 @@ void record_illness(ExperimentContext& context) {
                                                {"ill_as_printed", literal_pair(model, true)[0]}};
   const char* const names[] = {"no rival", "healthy rival", "ill rival, T_k from 0 to -s",
                                "ill rival, T_k from 2s to 0 (printed)"};
-  CurvePanel panel{.curves = {},
-                   .caption = "Two plants 8 m apart",
-                   .x_label = "step",
-                   .y_label = "stem radius of the healthy plant, m"};
+  PlotPanel panel{.curves = {},
+                  .caption = "Two plants 8 m apart",
+                  .x_label = "step",
+                  .y_label = "stem radius of the healthy plant, m"};
   for (std::size_t i = 0; i < std::size(all); ++i) {
     const auto& [name, sizes] = all[i];
     for (const int t : {20, 40, 80})
       context.record(fmt::format("rival/{}/after-{}", name, t), sizes[static_cast<std::size_t>(t)],
                      "m");
-    Curve curve{.name = names[i],
-                .x = {},
-                .y = sizes,
-                .style = i == 0   ? CurveStyle::dotted
-                         : i == 3 ? CurveStyle::dashed
-                                  : CurveStyle::solid};
+    PlotCurve curve{.name = names[i],
+                    .x = {},
+                    .y = sizes,
+                    .style = i == 0   ? PlotStyle::dotted
+                             : i == 3 ? PlotStyle::dashed
+                                      : PlotStyle::solid};
     for (int t = 0; t <= steps; ++t) curve.x.push_back(t);
     panel.curves.push_back(std::move(curve));
   }
   context.record("rival/largest_difference_from_print", off);
-  context.artifact("beside-an-ill-plant.svg",
-                   curve_svg({panel}, "Growth of a plant beside a healthy, an ill or no rival"));
+  add_plot(context, "beside-an-ill-plant",
+           {.title = "Growth of a plant beside a healthy, an ill or no rival",
+            .description = "Stem radius over the steps of the plant that stays healthy. It "
+                           "grows best without a rival, and an ill rival hinders it less than a "
+                           "healthy one does; with the printed bounds of the factor of illness "
+                           "it hinders it more.",
+            .panels = {panel}});
 }
 
 /// Figure 4.3: equal plants, and a smaller one, after half of the run.

@@ -4,17 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "core/picture/curve_svg.hpp"
 #include "core/population/logistic_map.hpp"
 #include "core/random/counter_stream.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/plot_artifacts.hpp"
 #include "reference/oracles/alsweis_population.hpp"
 
 namespace phytobench::experiments::alsweis {
@@ -175,9 +174,9 @@ void record_share_of_chaos(ExperimentContext& context) {
 /// Figure 2.5 names neither parameters nor what makes plants old: counts of (2.11) instead.
 void draw_orbits(ExperimentContext& context) {
   const auto panel = [](const char* caption, const std::vector<double>& fertilities) {
-    CurvePanel all{.caption = caption, .x_label = "years", .y_label = "plants N(t), K = 100"};
+    PlotPanel all{.caption = caption, .x_label = "years", .y_label = "plants N(t), K = 100"};
     for (const double fertility : fertilities) {
-      Curve curve{.name = fmt::format("α = {}", fertility)};
+      PlotCurve curve{.name = fmt::format("α = {}", fertility)};
       curve.y = orbit(map_of(fertility), 5.0, 40);
       for (std::size_t t = 0; t < curve.y.size(); ++t) curve.x.push_back(static_cast<double>(t));
       all.curves.push_back(curve);
@@ -185,60 +184,60 @@ void draw_orbits(ExperimentContext& context) {
     all.y_range = AxisRange{0.0, 100.0};
     return all;
   };
-  context.artifact("figure-2.5.svg",
-                   curve_svg({panel("settles", {0.2, 0.3, 1.9}), panel("swings", {2.2, 2.57})},
-                             "Local population dynamics (2.11) instead of figure 2.5, whose "
-                             "parameters are unpublished"));
+  add_plot(context, "figure-2.5",
+           {.title = "Local population dynamics (2.11) instead of figure 2.5",
+            .description = "Counts of plants over 40 years from five plants; the parameters of the "
+                           "published figure are unknown. Up to a fertility of 2 counts settle "
+                           "below the capacity of 100, above it they swing.",
+            .panels = {panel("settles", {0.2, 0.3, 1.9}), panel("swings", {2.2, 2.57})}});
 }
 
-/// One column of the diagram: strokes over all heights that an orbit visits.
-void add_visited(double fertility, Curve& curve) {
-  constexpr std::size_t heights = 220;  // as many as the plot has pixels
+/// One column of the diagram: a point at every height that an orbit visits.
+void add_visited(double fertility, PlotCurve& curve) {
+  constexpr std::size_t heights = 90;  // so many fit the plot
   std::array<bool, heights> visited{};
   const LogisticMap map = LogisticMap::of_rate(1.0 + fertility, 1.0);
   double count = orbit(map, OrbitOptions{}.start, 3000).back();
-  for (int t = 0; t < 200; ++t) {
-    const auto height = static_cast<std::size_t>(count * heights);
-    visited[std::min(height, heights - 1)] = true;
-    count = map.next(count);
-  }
-  for (std::size_t i = 0; i < heights;) {
-    std::size_t end = i;
-    while (end < heights && visited[end]) ++end;
-    if (end > i) {
-      curve.x.insert(curve.x.end(), 3, fertility);
-      curve.y.push_back(static_cast<double>(i) / heights);
-      curve.y.push_back(static_cast<double>(end) / heights);
-      curve.y.push_back(std::numeric_limits<double>::quiet_NaN());
-    }
-    i = std::max(end, i + 1);
+  for (int t = 0; t < 200; ++t, count = map.next(count)) {
+    const auto height = std::min(static_cast<std::size_t>(count * heights), heights - 1);
+    if (std::exchange(visited[height], true)) continue;
+    curve.x.push_back(fertility);
+    curve.y.push_back(count);
   }
 }
 
 void draw_bifurcations(ExperimentContext& context) {
-  constexpr int columns = 210;
+  constexpr int columns = 105;
   constexpr double from = 1.5, to = 3.0;
-  Curve visited{.name = "counts in the long run"}, exponent{.name = "Lyapunov exponent"};
+  PlotCurve visited{.name = "counts", .style = PlotStyle::points};
+  PlotCurve exponent{.name = "Lyapunov exponent"};
   for (int i = 0; i <= columns; ++i) add_visited(from + (to - from) * i / columns, visited);
   constexpr double floor = -2.0;  // exponents fall to minus infinity in every window
-  for (int i = 0; i <= 3 * columns; ++i) {
-    exponent.x.push_back(from + (to - from) * i / (3.0 * columns));
+  for (int i = 0; i <= 6 * columns; ++i) {
+    exponent.x.push_back(from + (to - from) * i / (6.0 * columns));
     exponent.y.push_back(std::max(
         floor, lyapunov_exponent(map_of(exponent.x.back()), {.transient = 2000, .years = 4096})));
   }
-  const Curve zero{.name = {}, .x = {from, to}, .y = {0.0, 0.0}, .style = CurveStyle::dotted};
-  const CurvePanel left{.curves = {visited},
-                        .caption = "counts",
+  const PlotCurve zero{
+      .name = "zero", .x = {from, to}, .y = {0.0, 0.0}, .style = PlotStyle::dotted};
+  const PlotPanel left{.curves = {visited},
+                       .caption = "counts in the long run",
+                       .x_label = "fertility α",
+                       .y_label = "N / K",
+                       .y_range = AxisRange{0.0, 1.0}};
+  const PlotPanel right{.curves = {zero, exponent},
+                        .caption = "above 0: chaos",
                         .x_label = "fertility α",
-                        .y_label = "N / K",
-                        .y_range = AxisRange{0.0, 1.0}};
-  const CurvePanel right{.curves = {zero, exponent},
-                         .caption = "above 0: chaos",
-                         .x_label = "fertility α",
-                         .y_label = "exponent, 1/year",
-                         .y_range = AxisRange{floor, 1.0}};
-  context.artifact("bifurcations.svg",
-                   curve_svg({left, right}, "Long run of the logistic map (2.11)"));
+                        .y_label = "exponent, 1/year",
+                        .y_range = AxisRange{floor, 1.0}};
+  add_plot(
+      context, "bifurcations",
+      {.title = "Long run of the logistic map (2.11)",
+       .description = "Left, the counts that a population visits in the long run: one, then "
+                      "two from a fertility of 2, four from 2.45, and a whole band of them "
+                      "beyond 2.57, with windows. Right, the Lyapunov exponent, cut off at -2: "
+                      "above 0 the course is chaotic.",
+       .panels = {left, right}});
 }
 
 void run(ExperimentContext& context) {

@@ -10,12 +10,12 @@
 
 #include <fmt/format.h>
 
-#include "core/picture/curve_svg.hpp"
 #include "core/population/cell_map_svg.hpp"
 #include "core/population/cell_population.hpp"
 #include "core/random/counter_stream.hpp"
 #include "experiments/alsweis/cell_fields.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/plot_artifacts.hpp"
 #include "reference/oracles/alsweis_population.hpp"
 
 namespace phytobench::experiments::alsweis {
@@ -212,23 +212,28 @@ void record_divergence(ExperimentContext& context) {
 }
 
 void draw_boards(ExperimentContext& context) {
-  const auto curve = [](const char* name, double migration, CellStep step, CurveStyle style) {
-    Curve years{.name = name, .style = style};
+  const auto curve = [](const char* name, double migration, CellStep step, PlotStyle style) {
+    PlotCurve years{.name = name, .style = style};
     years.y = board_years(0.1, migration, step, 60);
     for (std::size_t t = 0; t < years.y.size(); ++t) years.x.push_back(static_cast<double>(t));
     return years;
   };
-  const CurvePanel panel{
-      .curves = {curve("(2.14), γ = 0.3", 0.3, CellStep::positive_part, CurveStyle::solid),
-                 curve("(2.14), γ = 0.2", 0.2, CellStep::positive_part, CurveStyle::dashed),
+  const PlotPanel panel{
+      .curves = {curve("(2.14), γ = 0.3", 0.3, CellStep::positive_part, PlotStyle::solid),
+                 curve("(2.14), γ = 0.2", 0.2, CellStep::positive_part, PlotStyle::dashed),
                  curve("growth, then at most γ = 1/4", 0.3, CellStep::conserving,
-                       CurveStyle::dotted)},
+                       PlotStyle::dotted)},
       .caption = "checkerboard of 0 and 0.1, α = 0.3, K = 1",
       .x_label = "years",
       .y_label = "largest count",
-      .y_scale = AxisScale::logarithmic};
-  context.artifact("checkerboard.svg",
-                   curve_svg({panel}, "Clipped cells grow without bound where γ exceeds 1/4"));
+      .log_y = true};
+  add_plot(
+      context, "checkerboard",
+      {.title = "Clipped cells grow without bound where γ exceeds 1/4",
+       .description = "Largest count of a checkerboard over the years, on a logarithmic axis: "
+                      "with γ = 0.3 it grows for ever, with γ = 0.2 and with at most a quarter "
+                      "of the plants leaving per side it settles at 0.23, where (2.11) rests.",
+       .panels = {panel}});
 }
 
 /// From one cell in the middle, 100 plants being the capacity of good land.

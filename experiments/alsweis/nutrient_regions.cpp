@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "core/picture/curve_svg.hpp"
 #include "core/population/stand_picture.hpp"
 #include "core/population/stand_statistics.hpp"
 #include "experiments/alsweis/paired_runs.hpp"
+#include "experiments/plot_artifacts.hpp"
 
 namespace phytobench::experiments::alsweis {
 
@@ -116,12 +116,12 @@ void record_halves(ExperimentContext& context) {
 void draw_bands(ExperimentContext& context, const Courses& courses) {
   const std::size_t count = five_regions.size();
   const double hectares = side * side / 10'000.0 / static_cast<double>(count);
-  CurvePanel panel{.caption = "500 plants, mixed competition",
-                   .x_label = "steps",
-                   .y_label = "plants per hectare",
-                   .y_range = AxisRange{0.0, 140.0}};
+  PlotPanel panel{.caption = "500 plants, mixed competition",
+                  .x_label = "steps",
+                  .y_label = "plants per hectare",
+                  .y_range = AxisRange{0.0, 140.0}};
   for (std::size_t k = 0; k < count; ++k) {
-    Curve curve{.name = fmt::format("region {}", region_names[k])};
+    PlotCurve curve{.name = fmt::format("region {}", region_names[k])};
     for (std::size_t t = 0; t <= steps; ++t) {
       double plants = 0.0;
       for (const auto& course : courses) plants += course[t].plants[k];
@@ -130,10 +130,11 @@ void draw_bands(ExperimentContext& context, const Courses& courses) {
     }
     panel.curves.push_back(curve);
   }
-  context.artifact("figure-4.8.svg",
-                   curve_svg({panel},
-                             "Figure 4.8 in numbers: plants on five strips of ours, from "
-                             "most nutrients (I) to least (VI)"));
+  add_plot(context, "figure-4.8",
+           {.title = "Figure 4.8 in numbers: plants on five regions",
+            .description = "Plants per hectare over the steps on five strips of ours, from most "
+                           "nutrients (I) to least (VI); mean of all runs.",
+            .panels = {panel}});
 }
 
 /// Which part of its plants each region keeps, and how often a poorer one keeps less.

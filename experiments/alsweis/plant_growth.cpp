@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "core/picture/curve_svg.hpp"
 #include "core/population/growth_integrators.hpp"
 #include "core/population/richards_growth.hpp"
 #include "core/random/counter_stream.hpp"
 #include "experiments/alsweis/golden_section.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/plot_artifacts.hpp"
 #include "reference/oracles/alsweis_growth.hpp"
 
 namespace phytobench::experiments::alsweis {
@@ -178,15 +178,15 @@ void record_order(ExperimentContext& context) {
 
 /// Figure 2.1 with shapes of ours, and beside it the growth rates.
 void draw_figure(ExperimentContext& context) {
-  CurvePanel sizes{.curves = {}, .caption = "a) size", .x_label = "time", .y_label = "size v"};
-  CurvePanel rates{.curves = {},
-                   .caption = "b) growth",
-                   .x_label = "size v",
-                   .y_label = "dv/dt",
-                   .x_range = AxisRange{0.0, w}};
+  PlotPanel sizes{.curves = {}, .caption = "a) size", .x_label = "time", .y_label = "size v"};
+  PlotPanel rates{.curves = {},
+                  .caption = "b) growth",
+                  .x_label = "size v",
+                  .y_label = "dv/dt",
+                  .x_range = AxisRange{0.0, w}};
   for (const double shape : {0.0, 0.5, 1.0, 2.0, 3.0, 5.0}) {
-    Curve size{.name = fmt::format("δ = {}", shape), .x = {}, .y = {}};
-    Curve rate = size;
+    PlotCurve size{.name = fmt::format("δ = {}", shape), .x = {}, .y = {}};
+    PlotCurve rate = size;
     for (int i = 0; i <= 400; ++i) {
       size.x.push_back(0.25 * i);
       size.y.push_back(richards_size(law_of(shape), start, size.x.back()));
@@ -196,9 +196,12 @@ void draw_figure(ExperimentContext& context) {
     sizes.curves.push_back(std::move(size));
     rates.curves.push_back(std::move(rate));
   }
-  context.artifact(
-      "figure-2.1.svg",
-      curve_svg({sizes, rates}, "Figure 2.1: Richards' law for several shapes, w = 10, k = 0.1"));
+  add_plot(context, "figure-2.1",
+           {.title = "Figure 2.1: Richards' law for several shapes",
+            .description = "Size over time, and growth over size, for six shapes δ of ours with "
+                           "w = 10 and k = 0.1: every plant nears size 10, with a turning point "
+                           "that lies the higher the larger δ.",
+            .panels = {sizes, rates}});
 }
 
 void run(ExperimentContext& context) {

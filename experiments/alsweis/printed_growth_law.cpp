@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "core/picture/curve_svg.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/plot_artifacts.hpp"
 #include "reference/oracles/alsweis_growth.hpp"
 
 namespace phytobench::experiments::alsweis {
@@ -104,9 +104,10 @@ void record_index(ExperimentContext& context) {
 
 /// The growth law with (4.3) and (4.4), p = 1, as printed and as meant.
 void draw_printed_law(ExperimentContext& context) {
-  std::vector<CurvePanel> panels;
+  std::vector<PlotPanel> panels;
   for (const bool as_printed : {true, false}) {
-    Curve first{.name = "plant 1", .x = {}, .y = {}}, second{.name = "plant 2", .x = {}, .y = {}};
+    PlotCurve first{.name = "plant 1", .x = {}, .y = {}},
+        second{.name = "plant 2", .x = {}, .y = {}};
     auto v = start;
     for (int time = 0; time <= 100; ++time) {
       first.x.push_back(time);
@@ -119,15 +120,19 @@ void draw_printed_law(ExperimentContext& context) {
         {.curves =
              {first,
               second,
-              {.name = "largest size w", .x = {0, 100}, .y = {w, w}, .style = CurveStyle::dotted}},
+              {.name = "largest size w", .x = {0, 100}, .y = {w, w}, .style = PlotStyle::dotted}},
          .caption = as_printed ? "a) as printed" : "b) as meant",
          .x_label = "time",
          .y_label = "size",
          .y_range = AxisRange{0, 20}});
   }
-  context.artifact(
-      "growth-law-4.3.svg",
-      curve_svg(panels, "The growth law of 4.3: the smaller plant is plant 1 at first"));
+  add_plot(
+      context, "growth-law-4.3",
+      {.title = "The growth law of 4.3 for two plants, as printed and as meant",
+       .description = "Size of two plants over time, plant 1 the smaller one at first, and the "
+                      "largest size w as a dotted line. As printed both grow alike and to "
+                      "twice w; as meant plant 2 nears w and plant 1 shrinks.",
+       .panels = panels});
 }
 
 void run(ExperimentContext& context) {

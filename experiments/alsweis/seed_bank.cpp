@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
-#include "core/picture/curve_svg.hpp"
 #include "core/population/seed_bank.hpp"
 #include "core/random/counter_stream.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/plot_artifacts.hpp"
 #include "reference/oracles/alsweis_population.hpp"
 
 namespace phytobench::experiments::alsweis {
@@ -212,11 +212,11 @@ void record_bad_years(ExperimentContext& context) {
   }
 }
 
-CurvePanel years_panel(const std::vector<double>& survival, std::string caption) {
-  Curve bankers{.name = "with seed bank"}, others{.name = "without seed bank"};
+PlotPanel years_panel(const std::vector<double>& survival, std::string caption) {
+  PlotCurve bankers{.name = "with seed bank"}, others{.name = "without seed bank"};
   const std::vector<SeedBankState> states = seed_bank_run(usual, ten_of_each, survival);
   for (std::size_t t = 0; t < states.size(); ++t) {
-    for (Curve* curve : {&bankers, &others}) curve->x.push_back(static_cast<double>(t));
+    for (PlotCurve* curve : {&bankers, &others}) curve->x.push_back(static_cast<double>(t));
     bankers.y.push_back(states[t].bankers);
     others.y.push_back(states[t].non_bankers);
   }
@@ -231,22 +231,25 @@ void draw_figure(ExperimentContext& context) {
   CounterStream stream(context.seed(), years_of_figure);
   const std::vector<double> constant(120, usual.largest_survival);
   const auto changing = survival_of_years(usual, 0.15, 120, stream);
-  Curve bankers{.name = "with seed bank"}, others{.name = "without seed bank"};
+  PlotCurve bankers{.name = "with seed bank"}, others{.name = "without seed bank"};
   for (int percent = 0; percent <= 80; percent += 4) {
     const Persistence shares = persistence_of(context, percent / 100.0, 500);
-    for (Curve* curve : {&bankers, &others}) curve->x.push_back(percent);
+    for (PlotCurve* curve : {&bankers, &others}) curve->x.push_back(percent);
     bankers.y.push_back(100.0 * shares.bankers);
     others.y.push_back(100.0 * shares.non_bankers);
   }
-  const CurvePanel persistence{.curves = {bankers, others},
-                               .caption = "left after 300 years",
-                               .x_label = "bad years, %",
-                               .y_label = "% of runs",
-                               .y_range = AxisRange{0.0, 100.0}};
-  context.artifact("seed-bank.svg",
-                   curve_svg({years_panel(constant, "all years alike"),
-                              years_panel(changing, "15 % bad years"), persistence},
-                             "Seed-banking and other plants of equal fecundity"));
+  const PlotPanel persistence{.curves = {bankers, others},
+                              .caption = "left after 300 years",
+                              .x_label = "bad years, %",
+                              .y_label = "% of runs",
+                              .y_range = AxisRange{0.0, 100.0}};
+  add_plot(context, "seed-bank",
+           {.title = "Seed-banking and other plants of equal fecundity",
+            .description = "Plants of both kinds over the years, all alike and with 15 % bad ones, "
+                           "and the share of runs that still have each kind after 300 years, over "
+                           "the share of bad years.",
+            .panels = {years_panel(constant, "all years alike"),
+                       years_panel(changing, "15 % bad years"), persistence}});
 }
 
 void run(ExperimentContext& context) {

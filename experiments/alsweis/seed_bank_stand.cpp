@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "core/picture/curve_svg.hpp"
 #include "experiments/alsweis/paired_runs.hpp"
 #include "experiments/alsweis/stand_panels.hpp"
+#include "experiments/plot_artifacts.hpp"
 
 namespace phytobench::experiments::alsweis {
 
@@ -148,8 +148,8 @@ Persistence together(ExperimentContext& context, double bad_years) {
 }
 
 struct PersistenceCurves {
-  Curve bankers{.name = "with seed bank", .x = {}, .y = {}, .colour = 0};
-  Curve others{.name = "without seed bank", .x = {}, .y = {}, .colour = 1};
+  PlotCurve bankers{.name = "with seed bank", .x = {}, .y = {}, .colour = 0};
+  PlotCurve others{.name = "without seed bank", .x = {}, .y = {}, .colour = 1};
 
   void add(double bad_years, const Persistence& persistence) {
     bankers.x.push_back(bad_years);
@@ -158,7 +158,7 @@ struct PersistenceCurves {
     others.y.push_back(Persistence::share_left(persistence.non_banker_years));
   }
 
-  CurvePanel panel(const char* caption) const {
+  PlotPanel panel(const char* caption) const {
     return {.curves = {bankers, others},
             .caption = caption,
             .x_label = "share of bad years",
@@ -167,14 +167,15 @@ struct PersistenceCurves {
   }
 };
 
-CurvePanel course_panel(ExperimentContext& context) {
+PlotPanel course_panel(ExperimentContext& context) {
   const auto course =
       course_of(stand_of({60, 60}, 0.2, seed_of_run(context, Question::seed_bank, 0)));
-  Curve bankers{.name = "plants with seed bank", .colour = 0},
+  PlotCurve bankers{.name = "plants with seed bank", .colour = 0},
       others{.name = "plants without seed bank", .colour = 1},
-      resting{.name = "resting seeds", .style = CurveStyle::dotted, .colour = 2};
+      resting{.name = "resting seeds", .style = PlotStyle::dotted, .colour = 2};
   for (std::size_t t = 0; t < course.size(); ++t) {
-    for (Curve* curve : {&bankers, &others, &resting}) curve->x.push_back(static_cast<double>(t));
+    for (PlotCurve* curve : {&bankers, &others, &resting})
+      curve->x.push_back(static_cast<double>(t));
     bankers.y.push_back(course[t].plants[banker]);
     others.y.push_back(course[t].plants[non_banker]);
     resting.y.push_back(course[t].resting);
@@ -215,14 +216,17 @@ void run(ExperimentContext& context) {
     apart.add(bad_years, own);
     mixed.add(bad_years, both);
   }
-  context.artifact(
-      "seed-bank-course.svg",
-      curve_svg({course_panel(context)}, "A hundred years of plants with and without a seed bank"));
-  context.artifact("seed-bank-persistence.svg",
-                   curve_svg({mixed.panel("together: who is left after 100 years"),
-                              apart.panel("each kind alone: who is left after 100 years")},
-                             "Who is left of plants with and without a seed bank, by the share of "
-                             "bad years"));
+  add_plot(
+      context, "seed-bank-course",
+      {.title = "A hundred years of plants with and without a seed bank",
+       .description = "Plants of both kinds on one stand, and the seeds that rest in its soil, "
+                      "over the years; one year of five is bad.",
+       .panels = {course_panel(context)}});
+  add_plot(context, "seed-bank-persistence",
+           {.title = "Who is left of plants with and without a seed bank",
+            .description = "Share of runs in which a kind still lives after a hundred years, over "
+                           "the share of bad years, for both kinds together and each alone.",
+            .panels = {mixed.panel("together"), apart.panel("each kind alone")}});
   draw_stand(context);
 }
 

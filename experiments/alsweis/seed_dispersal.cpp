@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "core/picture/curve_svg.hpp"
 #include "core/point_pattern/pattern_svg.hpp"
 #include "core/population/seed_dispersal.hpp"
 #include "core/population/seed_production.hpp"
@@ -17,6 +16,7 @@
 #include "core/statistics/kolmogorov_smirnov.hpp"
 #include "core/statistics/running_moments.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/plot_artifacts.hpp"
 #include "reference/oracles/alsweis_population.hpp"
 
 namespace phytobench::experiments::alsweis {
@@ -142,18 +142,18 @@ void record_production(ExperimentContext& context) {
 }
 
 void draw_laws(ExperimentContext& context) {
-  CurvePanel within{.caption = "seeds up to a distance",
+  PlotPanel within{.caption = "seeds up to a distance",
+                   .x_label = "distance / λ",
+                   .y_label = "% of seeds",
+                   .y_range = AxisRange{0.0, 100.0}};
+  PlotPanel density{.caption = "seeds per area",
                     .x_label = "distance / λ",
-                    .y_label = "% of seeds",
-                    .y_range = AxisRange{0.0, 100.0}};
-  CurvePanel density{.caption = "seeds per area",
-                     .x_label = "distance / λ",
-                     .y_label = "share per λ²",
-                     .y_scale = AxisScale::logarithmic,
-                     .y_range = AxisRange{1e-5, 10.0}};
+                    .y_label = "share per λ²",
+                    .log_y = true,
+                    .y_range = AxisRange{1e-5, 10.0}};
   for (const DispersalLaw law : all_dispersal_laws) {
     const SeedDispersal dispersal{law, 1.0};
-    Curve share{.name = std::string(name_of(law))}, per_area{.name = std::string(name_of(law))};
+    PlotCurve share{.name = std::string(name_of(law))}, per_area{.name = std::string(name_of(law))};
     for (int i = 0; i <= 240; ++i) {
       const double r = i / 40.0;
       share.x.push_back(r);
@@ -165,8 +165,11 @@ void draw_laws(ExperimentContext& context) {
     within.curves.push_back(share);
     density.curves.push_back(per_area);
   }
-  context.artifact("dispersal-laws.svg",
-                   curve_svg({within, density}, "Three readings of the seed dispersal (4.6)"));
+  add_plot(context, "dispersal-laws",
+           {.title = "Three readings of the seed dispersal (4.6)",
+            .description = "Seeds that fall within a distance, and seeds per area at it on a "
+                           "logarithmic axis, both over the distance in units of λ.",
+            .panels = {within, density}});
 }
 
 void draw_seeds(ExperimentContext& context) {

@@ -11,10 +11,10 @@
 
 #include <fmt/format.h>
 
-#include "core/picture/curve_svg.hpp"
 #include "core/statistics/bootstrap.hpp"
 #include "core/statistics/reduced_major_axis.hpp"
 #include "experiments/alsweis/paired_runs.hpp"
+#include "experiments/plot_artifacts.hpp"
 
 namespace phytobench::experiments::alsweis {
 
@@ -174,16 +174,16 @@ void record_cover(ExperimentContext& context, const std::string& group,
   record_mean(context, group + "/cover/last", last);
 }
 
-CurvePanel thinning_panel(const std::string& caption) {
+PlotPanel thinning_panel(const std::string& caption) {
   return {.caption = caption,
           .x_label = "plants per m²",
           .y_label = "mean R³, m³",
-          .x_scale = AxisScale::logarithmic,
-          .y_scale = AxisScale::logarithmic};
+          .log_x = true,
+          .log_y = true};
 }
 
-Curve curve_of(const std::string& name, const Course& course) {
-  Curve curve{.name = name};
+PlotCurve curve_of(const std::string& name, const Course& course) {
+  PlotCurve curve{.name = name};
   for (std::size_t i = 0; i < course.density.size(); ++i) {
     curve.x.push_back(std::pow(10.0, course.density[i]));
     curve.y.push_back(std::pow(10.0, course.mass[cubic][i]));
@@ -192,10 +192,10 @@ Curve curve_of(const std::string& name, const Course& course) {
 }
 
 /// A line of this slope through the middle of a course.
-Curve slope_through(const std::string& name, const Course& course, double slope) {
-  const Curve points = curve_of(name, course);
+PlotCurve slope_through(const std::string& name, const Course& course, double slope) {
+  const PlotCurve points = curve_of(name, course);
   const std::size_t middle = points.x.size() / 2;
-  Curve line{.name = name, .style = CurveStyle::dashed};
+  PlotCurve line{.name = name, .style = PlotStyle::dashed};
   for (const double x : {points.x.front(), points.x.back()}) {
     line.x.push_back(x);
     line.y.push_back(points.y[middle] * std::pow(x / points.x[middle], slope));
@@ -226,14 +226,19 @@ void record_thinning(ExperimentContext& context, const std::vector<std::vector<C
 }
 
 void draw_thinning(ExperimentContext& context, const std::vector<std::vector<Course>>& all) {
-  CurvePanel one = thinning_panel("zones 20 R, six runs"), each = thinning_panel("zones d R^b");
-  for (std::size_t s = 0; s < 6; ++s) one.curves.push_back(curve_of("run", all[0][s]));
+  PlotPanel one = thinning_panel("zones 20 R, six runs"), each = thinning_panel("zones d R^b");
+  for (std::size_t s = 0; s < 6; ++s)
+    one.curves.push_back(curve_of(fmt::format("run {}", s + 1), all[0][s]));
   one.curves.push_back(slope_through("slope -3/2", all[0][0], -1.5));
   for (std::size_t n = 0; n < all.size(); ++n)
     each.curves.push_back(
         curve_of(fmt::format("b = {:.3g}", thinning_species[n].exponent), all[n][0]));
-  context.artifact("figure-2.6.svg",
-                   curve_svg({one, each}, "Figure 2.6: mass against density of thinning stands"));
+  add_plot(context, "figure-2.6",
+           {.title = "Figure 2.6: mass against density of thinning stands",
+            .description = "Mean cubed stem radius over plants per area, both axes logarithmic; "
+                           "stands move from right to left. Left six runs beside a line of slope "
+                           "-3/2, right one run for each law of the zones.",
+            .panels = {one, each}});
 }
 
 void run(ExperimentContext& context) {

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "core/geometry/point2.hpp"
-#include "core/picture/curve_svg.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/plot_artifacts.hpp"
 
 namespace phytobench::experiments::alsweis {
 
@@ -86,25 +86,27 @@ void record_shadiest(ExperimentContext& context) {
 }
 
 void draw_shares(ExperimentContext& context) {
-  Curve along{.name = "along the sun's way", .x = {}, .y = {}, .colour = 1};
-  Curve across{.name = "across it", .x = {}, .y = {}, .style = CurveStyle::dashed, .colour = 0};
+  PlotCurve along{.name = "along the sun's way", .x = {}, .y = {}, .colour = 1};
+  PlotCurve across{.name = "across it", .x = {}, .y = {}, .style = PlotStyle::dashed, .colour = 0};
   for (int i = 0; i <= 100; ++i) {
     const double distance = 0.03 * i;
-    for (Curve* curve : {&along, &across}) curve->x.push_back(distance);
+    for (PlotCurve* curve : {&along, &across}) curve->x.push_back(distance);
     along.y.push_back(shaded_share({distance, 0}));
     across.y.push_back(shaded_share({0, distance}));
   }
-  const Curve rim{.name = "rim of ring 3",
-                  .x = {0.6, 0.6},
-                  .y = {0.0, 0.6},
-                  .style = CurveStyle::dotted,
-                  .colour = 3};
-  context.artifact("shade-of-the-day.svg",
-                   curve_svg({{.curves = {along, across, rim},
-                               .caption = "Crown of radius 1 at height 1",
-                               .x_label = "distance from the stem, crown radii",
-                               .y_label = "part of the day in shade"}},
-                             "Part of the day in the shade of a crown, by distance from its stem"));
+  const PlotCurve rim{.name = "rim of ring 3",
+                      .x = {0.6, 0.6},
+                      .y = {0.0, 0.6},
+                      .style = PlotStyle::dotted,
+                      .colour = 3};
+  add_plot(context, "shade-of-the-day",
+           {.title = "Part of the day in the shade of a crown",
+            .description = "Part of the day that a place lies in shade, over its distance from the "
+                           "stem along the sun's way and across it, and the rim of ring 3.",
+            .panels = {{.curves = {along, across, rim},
+                        .caption = "Crown of radius 1 at height 1",
+                        .x_label = "distance from the stem, crown radii",
+                        .y_label = "part of the day in shade"}}});
 }
 
 /// The shades of the day, one upon the other, and the core circle.

@@ -8,12 +8,12 @@
 
 #include "core/competition/cell_grid.hpp"
 #include "core/overlap/ground_shares.hpp"
-#include "core/picture/curve_svg.hpp"
 #include "core/random/counter_stream.hpp"
 #include "core/statistics/power_law.hpp"
 #include "core/statistics/running_moments.hpp"
 #include "experiments/alsweis/zone_stand.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/plot_artifacts.hpp"
 
 namespace phytobench::experiments::alsweis {
 
@@ -79,7 +79,7 @@ std::vector<double> cell_sides(Tier tier) {
 }
 
 void record_errors(ExperimentContext& context, const std::string& name,
-                   const ErrorMeter::Errors& errors, double side, Curve& curve) {
+                   const ErrorMeter::Errors& errors, double side, PlotCurve& curve) {
   context.record({.experiment = {},
                   .measurement = name + "/typical_error",
                   .value = errors.typical(),
@@ -91,7 +91,7 @@ void record_errors(ExperimentContext& context, const std::string& name,
 }
 
 /// The power of the side with which errors fall once cells are much narrower than any plant.
-void record_exponent(ExperimentContext& context, const std::string& name, const Curve& curve) {
+void record_exponent(ExperimentContext& context, const std::string& name, const PlotCurve& curve) {
   constexpr double widest = 0.1;
   std::vector<double> x, y;
   for (std::size_t k = 0; k < curve.x.size(); ++k) {
@@ -105,23 +105,26 @@ void record_exponent(ExperimentContext& context, const std::string& name, const 
   context.record(name + "/exponent_high", law->exponent.high);
 }
 
-void draw(ExperimentContext& context, const std::vector<Curve>& curves) {
-  CurvePanel panel{.curves = curves,
-                   .caption = "five plants, the grid laid in 24 places",
-                   .x_label = "side of a cell in m",
-                   .y_label = "typical error",
-                   .x_scale = AxisScale::logarithmic,
-                   .y_scale = AxisScale::logarithmic};
-  Curve law{.name = "side^1.5", .x = curves[0].x, .y = {}, .style = CurveStyle::dotted};
+void draw(ExperimentContext& context, const std::vector<PlotCurve>& curves) {
+  PlotPanel panel{.curves = curves,
+                  .caption = "five plants, the grid laid in 24 places",
+                  .x_label = "side of a cell in m",
+                  .y_label = "typical error",
+                  .log_x = true,
+                  .log_y = true};
+  PlotCurve law{.name = "side^1.5", .x = curves[0].x, .y = {}, .style = PlotStyle::dotted};
   for (const double side : law.x) law.y.push_back(0.1 * std::pow(side, 1.5));
   panel.curves.push_back(law);
-  context.artifact("cell-errors.svg",
-                   curve_svg({panel}, "Errors of shares on square cells against their side"));
+  add_plot(context, "cell-errors",
+           {.title = "Errors of shares on square cells",
+            .description = "Typical error over the side of a cell, both axes logarithmic, beside a "
+                           "line of slope 3/2.",
+            .panels = {panel}});
 }
 
 void run(ExperimentContext& context) {
   const ZoneStand stand = five_plants();
-  std::vector<Curve> curves(3);
+  std::vector<PlotCurve> curves(3);
   curves[0].name = "equal shares, in the plant's area";
   curves[1].name = "all to the largest, the same";
   curves[2].name = "mean field over a plant";

@@ -3,15 +3,16 @@
 // family of sharing laws between equal shares and all for the largest.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
 #include "core/overlap/lens.hpp"
-#include "core/picture/curve_svg.hpp"
 #include "core/random/counter_stream.hpp"
 #include "core/statistics/running_moments.hpp"
 #include "experiments/alsweis/zone_stand.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/plot_artifacts.hpp"
 
 namespace phytobench::experiments::alsweis {
 
@@ -118,18 +119,18 @@ StandMeans measure(const ExperimentContext& context, double cover, double expone
 
 void record_stands(ExperimentContext& context) {
   const int stands = context.tier() == Tier::full ? 200 : context.tier() == Tier::quick ? 40 : 10;
-  CurvePanel losses{.caption = "a) mean loss",
-                    .x_label = "areas of all zones over the ground",
-                    .y_label = "share of the zone"};
-  CurvePanel beyond{.caption = "b) plants that lose more than all",
-                    .x_label = "areas of all zones over the ground",
-                    .y_label = "share of plants"};
+  PlotPanel losses{.caption = "a) mean loss",
+                   .x_label = "areas of all zones over the ground",
+                   .y_label = "share of the zone"};
+  PlotPanel beyond{.caption = "b) plants that lose more than all",
+                   .x_label = "areas of all zones over the ground",
+                   .y_label = "share of plants"};
   for (const Division& division : divisions) {
     const bool equal = division.exponent == 0.0;
     const std::string words = equal ? "equal shares" : "all to the largest";
-    Curve pairs{words + ", by pairs", {}, {}, CurveStyle::dashed, equal ? 0 : 1};
-    Curve exact{words + ", exact", {}, {}, CurveStyle::solid, equal ? 0 : 1};
-    Curve share{pairs};
+    PlotCurve pairs{words + ", by pairs", {}, {}, PlotStyle::dashed, equal ? 0 : 1};
+    PlotCurve exact{words + ", exact", {}, {}, PlotStyle::solid, equal ? 0 : 1};
+    PlotCurve share{pairs};
     for (const double cover : covers) {
       context.progress(fmt::format("{}, cover {}", words, cover));
       const StandMeans means = measure(context, cover, division.exponent, stands);
@@ -140,7 +141,7 @@ void record_stands(ExperimentContext& context) {
       record_mean(context, name + "/exact", means.exact, expected.exact);
       context.record(name + "/excess", means.pairs.mean() - means.exact.mean());
       context.record(name + "/plants_beyond_all", means.beyond.mean());
-      for (Curve* curve : {&pairs, &exact, &share}) curve->x.push_back(cover);
+      for (PlotCurve* curve : {&pairs, &exact, &share}) curve->x.push_back(cover);
       pairs.y.push_back(means.pairs.mean());
       exact.y.push_back(means.exact.mean());
       share.y.push_back(means.beyond.mean());
@@ -148,9 +149,12 @@ void record_stands(ExperimentContext& context) {
     losses.curves.insert(losses.curves.end(), {pairs, exact});
     beyond.curves.push_back(share);
   }
-  context.artifact(
-      "pair-sums.svg",
-      curve_svg({losses, beyond}, "Losses of random stands, exact and by sums over pairs"));
+  add_plot(context, "pair-sums",
+           {.title = "Losses of random stands, exact and by sums over pairs",
+            .description = "Mean loss, and share of plants that would lose more than all, over the "
+                           "areas of all zones: sums over pairs count ground twice where more than "
+                           "two zones meet.",
+            .panels = {losses, beyond}});
 }
 
 /// Two plants: losses as the exponent grows from equal shares to all for the larger.
@@ -168,8 +172,8 @@ void record_family(ExperimentContext& context) {
   add_limit(0.0, symmetric);
   add_limit(winner_takes_all, asymmetric);
   add_limit(1000.0, asymmetric);
-  Curve smaller{.name = "smaller plant", .x = {}, .y = {}};
-  Curve larger{.name = "larger plant", .x = {}, .y = {}};
+  PlotCurve smaller{.name = "smaller plant", .x = {}, .y = {}};
+  PlotCurve larger{.name = "larger plant", .x = {}, .y = {}};
   for (int k = -8; k <= 8; ++k) {
     const double exponent = std::pow(2.0, 0.5 * k);
     const auto loss = two.losses("exact_shares", exponent);
@@ -189,20 +193,25 @@ void record_family(ExperimentContext& context) {
   context.record("family/asymmetric/larger", asymmetric[1]);
   context.record("family/largest_difference_from_limits", limits);
   context.record("family/largest_sum_error", sum_error, "area");
-  const auto limit = [&](const char* name, const std::vector<double>& loss, std::size_t i) {
-    return Curve{
-        name, {smaller.x.front(), smaller.x.back()}, {loss[i], loss[i]}, CurveStyle::dotted, i};
+  constexpr double no_line = std::numeric_limits<double>::quiet_NaN();
+  const auto limits_of = [&](const char* name, std::size_t i) {
+    const double left = smaller.x.front(), right = smaller.x.back();
+    return PlotCurve{name,
+                     {left, right, right, left, right},
+                     {symmetric[i], symmetric[i], no_line, asymmetric[i], asymmetric[i]},
+                     PlotStyle::dotted,
+                     i};
   };
-  context.artifact(
-      "exponents.svg",
-      curve_svg({{.curves = {smaller, larger, limit("limits of the smaller", symmetric, 0),
-                             limit("", asymmetric, 0), limit("limits of the larger", symmetric, 1),
-                             limit("", asymmetric, 1)},
-                  .caption = "radii 0.6 and 1, distance 1",
-                  .x_label = "exponent of the area",
-                  .y_label = "loss",
-                  .x_scale = AxisScale::logarithmic}},
-                "Losses of two plants against the exponent by which they share"));
+  add_plot(context, "exponents",
+           {.title = "Losses of two plants against the exponent by which they share",
+            .description = "Loss of the smaller and of the larger plant over the exponent, between "
+                           "the dotted limits of equal shares and of all to the larger.",
+            .panels = {{.curves = {smaller, larger, limits_of("limits of the smaller", 0),
+                                   limits_of("limits of the larger", 1)},
+                        .caption = "radii 0.6 and 1, distance 1",
+                        .x_label = "exponent of the area",
+                        .y_label = "loss",
+                        .log_x = true}}});
 }
 
 void run(ExperimentContext& context) {

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "core/picture/curve_svg.hpp"
 #include "core/population/stand_statistics.hpp"
 #include "core/statistics/gini.hpp"
 #include "experiments/alsweis/paired_runs.hpp"
+#include "experiments/plot_artifacts.hpp"
 
 namespace phytobench::experiments::alsweis {
 
@@ -122,15 +122,15 @@ double mean_of(const std::vector<double>& values) {
 }
 
 void draw_figure(ExperimentContext& context, const std::vector<Course>& courses) {
-  CurvePanel over_time{
+  PlotPanel over_time{
       .caption = "over time", .x_label = "steps", .y_label = "Gini coefficient of basal area"};
-  CurvePanel shares{.caption = fmt::format("after {} steps", main_step),
-                    .x_label = "share of plants, the smallest first",
-                    .y_label = "share of basal area",
-                    .x_range = AxisRange{0.0, 1.0},
-                    .y_range = AxisRange{0.0, 1.0}};
+  PlotPanel shares{.caption = fmt::format("after {} steps", main_step),
+                   .x_label = "share of plants, the smallest first",
+                   .y_label = "share of basal area",
+                   .x_range = AxisRange{0.0, 1.0},
+                   .y_range = AxisRange{0.0, 1.0}};
   for (std::size_t k = 0; k < printed_rules.size(); ++k) {
-    Curve gini{.name = printed_rules[k].name}, lorenz{.name = printed_rules[k].name};
+    PlotCurve gini{.name = printed_rules[k].name}, lorenz{.name = printed_rules[k].name};
     for (std::size_t t = 0; t < courses[k].gini.size(); ++t) {
       gini.x.push_back(static_cast<double>(t));
       gini.y.push_back(mean_of(courses[k].gini[t]));
@@ -142,9 +142,12 @@ void draw_figure(ExperimentContext& context, const std::vector<Course>& courses)
     over_time.curves.push_back(gini);
     shares.curves.push_back(lorenz);
   }
-  context.artifact("size-inequality.svg",
-                   curve_svg({over_time, shares},
-                             "Inequality of 100 plants without and with competition, 20 seeds"));
+  add_plot(context, "size-inequality",
+           {.title = "Inequality of 100 plants without and with competition",
+            .description = "Gini coefficient of basal area over the steps, mean of 20 runs, and "
+                           "Lorenz curves of the last areas: the farther below the diagonal, the "
+                           "less equal.",
+            .panels = {over_time, shares}});
 }
 
 void record_printed_rules(ExperimentContext& context) {
@@ -192,29 +195,32 @@ std::vector<std::vector<double>> radii_of_two(const char* rule, double first, do
   return radii;
 }
 
-CurvePanel panel_of_two(const char* rule) {
+PlotPanel panel_of_two(const char* rule) {
   const auto alone = radii_of_two("none", 0.06, 0.03), two = radii_of_two(rule, 0.06, 0.03);
-  CurvePanel panel{.caption = rule,
-                   .x_label = "steps",
-                   .y_label = "stem radius, m",
-                   .y_range = AxisRange{0.0, 0.5}};
+  PlotPanel panel{.caption = rule,
+                  .x_label = "steps",
+                  .y_label = "stem radius, m",
+                  .y_range = AxisRange{0.0, 0.5}};
   std::vector<double> steps;
   for (std::size_t t = 0; t <= main_step; ++t) steps.push_back(static_cast<double>(t));
-  const auto add = [&](const char* name, const std::vector<double>& y, CurveStyle style,
+  const auto add = [&](const char* name, const std::vector<double>& y, PlotStyle style,
                        std::size_t colour) {
     panel.curves.push_back({.name = name, .x = steps, .y = y, .style = style, .colour = colour});
   };
-  add("larger plant", two[0], CurveStyle::solid, 0);
-  add("smaller plant", two[1], CurveStyle::solid, 1);
-  add("larger plant, alone", alone[0], CurveStyle::dashed, 0);
-  add("smaller plant, alone", alone[1], CurveStyle::dashed, 1);
+  add("larger plant", two[0], PlotStyle::solid, 0);
+  add("smaller plant", two[1], PlotStyle::solid, 1);
+  add("larger plant, alone", alone[0], PlotStyle::dashed, 0);
+  add("smaller plant, alone", alone[1], PlotStyle::dashed, 1);
   return panel;
 }
 
 void draw_two_plants(ExperimentContext& context) {
-  context.artifact("figure-4.3.svg",
-                   curve_svg({panel_of_two("symmetric"), panel_of_two("asymmetric")},
-                             "Figure 4.3: two plants 8 m apart, and the same plants alone"));
+  add_plot(context, "figure-4.3",
+           {.title = "Figure 4.3: two plants 8 m apart, and the same plants alone",
+            .description = "Stem radius over the steps. Under symmetric competition both plants "
+                           "stay behind those alone; under asymmetric competition only the smaller "
+                           "one does.",
+            .panels = {panel_of_two("symmetric"), panel_of_two("asymmetric")}});
 }
 
 void run(ExperimentContext& context) {

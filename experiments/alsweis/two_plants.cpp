@@ -9,12 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "core/picture/curve_svg.hpp"
 #include "core/population/coupled_growth.hpp"
 #include "core/population/growth_integrators.hpp"
 #include "core/random/counter_stream.hpp"
 #include "core/statistics/gini.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/plot_artifacts.hpp"
 #include "reference/oracles/alsweis_growth.hpp"
 
 namespace phytobench::experiments::alsweis {
@@ -130,24 +130,24 @@ void record_asymmetry(ExperimentContext& context) {
 }
 
 void draw_figure(ExperimentContext& context) {
-  CurvePanel printed{.curves = {},
-                     .caption = "a) as printed",
-                     .x_label = "time",
-                     .y_label = "size",
-                     .y_range = AxisRange{0, w}};
-  CurvePanel meant = printed;
+  PlotPanel printed{.curves = {},
+                    .caption = "a) as printed",
+                    .x_label = "time",
+                    .y_label = "size",
+                    .y_range = AxisRange{0, w}};
+  PlotPanel meant = printed;
   meant.caption = "b) a = 2 for the dashed lines";
-  for (const auto& [panel, line, style] : {std::tuple{&printed, full, CurveStyle::solid},
-                                           std::tuple{&printed, dashed, CurveStyle::dashed},
-                                           std::tuple{&meant, full, CurveStyle::solid},
-                                           std::tuple{&meant, inferred, CurveStyle::dashed}}) {
-    Curve first{
+  for (const auto& [panel, line, style] :
+       {std::tuple{&printed, full, PlotStyle::solid},
+        std::tuple{&printed, dashed, PlotStyle::dashed}, std::tuple{&meant, full, PlotStyle::solid},
+        std::tuple{&meant, inferred, PlotStyle::dashed}}) {
+    PlotCurve first{
         .name = fmt::format("{}, a = {}, k = {}", "smaller plant", line.asymmetry, line.rate),
         .x = {},
         .y = {},
         .style = style,
         .colour = 0};
-    Curve second{
+    PlotCurve second{
         .name = fmt::format("{}, a = {}, k = {}", "larger plant", line.asymmetry, line.rate),
         .x = {},
         .y = {},
@@ -164,8 +164,12 @@ void draw_figure(ExperimentContext& context) {
     panel->curves.push_back(std::move(first));
     panel->curves.push_back(std::move(second));
   }
-  context.artifact("figure-4.5.svg",
-                   curve_svg({printed, meant}, "Figure 4.5: two plants that press each other"));
+  add_plot(context, "figure-4.5",
+           {.title = "Figure 4.5: two plants that press each other",
+            .description = "Size over time of two plants that start at sizes 1 and 2, with w = 10: "
+                           "left with the asymmetry 1 that the caption gives for both lines, right "
+                           "with 2 for the dashed ones.",
+            .panels = {printed, meant}});
 }
 
 void run(ExperimentContext& context) {

@@ -12,9 +12,9 @@
 
 #include <fmt/format.h>
 
-#include "core/picture/curve_svg.hpp"
 #include "experiments/alsweis/paired_runs.hpp"
 #include "experiments/alsweis/stand_panels.hpp"
+#include "experiments/plot_artifacts.hpp"
 
 namespace phytobench::experiments::alsweis {
 
@@ -123,15 +123,15 @@ void record_survival(ExperimentContext& context, const Mixture& mixture, const R
 
 /// Figure 4.9 in numbers: of all runs together, which part lives how far from a large plant.
 void draw_survival(ExperimentContext& context, const std::vector<Runs>& all) {
-  CurvePanel panel{.caption = "12 large among 250 small plants, 20 seeds",
-                   .x_label = "distance to the nearest large plant, radii of its zone",
-                   .y_label = "small plants alive after 50 steps",
-                   .x_range = AxisRange{0.0, 2.5},
-                   .y_range = AxisRange{0.0, 1.0}};
+  PlotPanel panel{.caption = "12 large among 250 small plants, 20 seeds",
+                  .x_label = "distance to the nearest large plant, radii of its zone",
+                  .y_label = "small plants alive after 50 steps",
+                  .x_range = AxisRange{0.0, 2.5},
+                  .y_range = AxisRange{0.0, 1.0}};
   for (std::size_t k = 0; k < mixtures.size(); ++k) {
     std::vector<SmallPlant> plants;
     for (const auto& some : all[k]) plants.insert(plants.end(), some.begin(), some.end());
-    Curve curve{.name = mixtures[k].name};
+    PlotCurve curve{.name = mixtures[k].name};
     constexpr double width = 0.1;
     for (int cell = 0; cell < 25; ++cell) {
       curve.x.push_back((cell + 0.5) * width);
@@ -139,8 +139,11 @@ void draw_survival(ExperimentContext& context, const std::vector<Runs>& all) {
     }
     panel.curves.push_back(curve);
   }
-  context.artifact("figure-4.9.svg",
-                   curve_svg({panel}, "Figure 4.9 in numbers: small plants near large ones"));
+  add_plot(context, "figure-4.9",
+           {.title = "Figure 4.9 in numbers: small plants near large ones",
+            .description = "Share of the small plants that live after 50 steps, over the distance "
+                           "to the nearest large plant in radii of its zone.",
+            .panels = {panel}});
 }
 
 /// Figure 4.4: the same plants without competition, and with either kind.

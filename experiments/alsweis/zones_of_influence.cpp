@@ -12,11 +12,11 @@
 #include <fmt/format.h>
 
 #include "core/competition/zone_laws.hpp"
-#include "core/picture/curve_svg.hpp"
 #include "core/population/size_growth.hpp"
 #include "core/random/counter_stream.hpp"
 #include "experiments/alsweis/few_plants.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/plot_artifacts.hpp"
 #include "reference/oracles/alsweis_competition_shares.hpp"
 #include "reference/oracles/alsweis_competition_zones.hpp"
 #include "reference/oracles/alsweis_overlap.hpp"
@@ -191,22 +191,23 @@ void record_jumps(ExperimentContext& context) {
 }
 
 void draw_jumps(ExperimentContext& context) {
-  Curve printed{.name = "one ring counts (printed)", .x = {}, .y = {}, .colour = 0};
-  Curve ringwise{
-      .name = "each part by its ring", .x = {}, .y = {}, .style = CurveStyle::dashed, .colour = 1};
+  PlotCurve printed{.name = "one ring counts (printed)", .x = {}, .y = {}, .colour = 0};
+  PlotCurve ringwise{
+      .name = "each part by its ring", .x = {}, .y = {}, .style = PlotStyle::dashed, .colour = 1};
   for (int i = 0; i <= 1200; ++i) {
     const double distance = i / 200.0;
-    for (Curve* curve : {&printed, &ringwise}) curve->x.push_back(distance);
+    for (PlotCurve* curve : {&printed, &ringwise}) curve->x.push_back(distance);
     printed.y.push_back(above_loss(distance));
     ringwise.y.push_back(print::ringwise_5_3_and_5_4(distance, 1, 5));
   }
-  context.artifact(
-      "ring-weights.svg",
-      curve_svg({{.curves = {printed, ringwise},
-                  .caption = "A crown of radius 1 under one of radius 5",
-                  .x_label = "distance of stems, m",
-                  .y_label = "loss of light"}},
-                "Loss of light of a small crown against its distance from a large one"));
+  add_plot(context, "ring-weights",
+           {.title = "Loss of light of a small crown against its distance from a large one",
+            .description = "Where one ring counts, as printed, the loss jumps at the rim of every "
+                           "ring; weighted part by part it is continuous.",
+            .panels = {{.curves = {printed, ringwise},
+                        .caption = "A crown of radius 1 under one of radius 5",
+                        .x_label = "distance of stems, m",
+                        .y_label = "loss of light"}}});
 }
 
 /// (5.2) is (4.3) seen from the other plant.

@@ -3,6 +3,7 @@
 #include "core/tree/plant.hpp"
 #include "experiments/brzoska2019/thesis_tree.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/plot_artifacts.hpp"
 
 namespace phytobench::experiments::brzoska2019 {
 
@@ -35,7 +36,32 @@ void record_leaves(ExperimentContext& context, const std::string& row, const Pla
       static_cast<double>(plant.branches.mesh.triangle_count()) + 0.5 * per_leaf * expected);
 }
 
-void record_row(ExperimentContext& context, const std::string& row) {
+/// Triangles over vertices of all rows.
+struct MeshSizes {
+  PlotCurve leafless{.name = "without leaves", .x = {}, .y = {}, .style = PlotStyle::points};
+  PlotCurve leafy{.name = "with leaves", .x = {}, .y = {}, .style = PlotStyle::points};
+
+  void add(const Plant& plant) {
+    PlotCurve& curve = plant.leaves.empty() ? leafless : leafy;
+    curve.x.push_back(static_cast<double>(plant.vertex_count()));
+    curve.y.push_back(static_cast<double>(plant.triangle_count()));
+  }
+};
+
+void draw(ExperimentContext& context, const MeshSizes& sizes) {
+  add_plot(context, "appendix-table",
+           {.title = "Triangles over vertices of the appendix' plants",
+            .description = "A mark per plant of the table, as grown here, both axes logarithmic: "
+                           "leaves add twice as many vertices as triangles, so that plants with "
+                           "leaves have fewer triangles for their vertices.",
+            .panels = {{.curves = {sizes.leafless, sizes.leafy},
+                        .x_label = "vertices",
+                        .y_label = "triangles",
+                        .log_x = true,
+                        .log_y = true}}});
+}
+
+void record_row(ExperimentContext& context, const std::string& row, MeshSizes& sizes) {
   context.progress("growing " + row);
   const TreeParameters parameters = thesis_tree(row);
   const Plant plant = make_plant(grow_thesis_tree(parameters, context.threads()), parameters.plant);
@@ -50,11 +76,14 @@ void record_row(ExperimentContext& context, const std::string& row) {
   context.record(row + "/branch_vertices", whole(plant.branches.mesh.vertex_count()));
   context.record(row + "/branch_triangles", whole(plant.branches.mesh.triangle_count()));
   record_leaves(context, row, plant, parameters.plant.leaves);
+  sizes.add(plant);
 }
 
 void run(ExperimentContext& context) {
+  MeshSizes sizes;
   for (const std::string& row : thesis_parameters().table("appendix").texts("rows"))
-    record_row(context, row);
+    record_row(context, row, sizes);
+  draw(context, sizes);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "core/random/counter_stream.hpp"
 #include "experiments/brzoska2019/thesis_tree.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/plot_artifacts.hpp"
 
 namespace phytobench::experiments::brzoska2019 {
 
@@ -72,6 +73,37 @@ void record_equation_10(ExperimentContext& context) {
                  grows({0, 2, 0}, {0, -1, 0}, TropismOrder::after_normalising));
 }
 
+/// Figure 33 over the interval of eq. 17's worked example, and that example.
+void draw_kill_distance(ExperimentContext& context, const KillDistanceSchedule& schedule, int n) {
+  PlotCurve curve{.name = "sigmoid", .x = {}, .y = {}};
+  for (int i = 0; i <= 120; ++i) {
+    curve.x.push_back(schedule.sigmoid_begin +
+                      (schedule.sigmoid_end - schedule.sigmoid_begin) * i / 120.0);
+    curve.y.push_back(sigmoid(curve.x.back()));
+  }
+  PlotCurve distance{.name = "kill distance", .x = {}, .y = {}, .style = PlotStyle::points};
+  for (int i = 0; i < n; ++i) {
+    distance.x.push_back(i);
+    distance.y.push_back(schedule.at(i, n));
+  }
+  add_plot(context, "figure-33",
+           {.title = "Figure 33: the sigmoid, and a kill distance that follows it",
+            .description = "Left, the sigmoid rises from almost 0 to almost 1 over the interval of "
+                           "the worked example. Right, the kill distance of that example falls "
+                           "along it from 2 to 1.2 over 30 iterations.",
+            .panels = {{.curves = {curve},
+                        .caption = "a) sigmoid",
+                        .x_label = "argument x",
+                        .y_label = "sig(x)",
+                        .x_range = AxisRange{schedule.sigmoid_begin, schedule.sigmoid_end},
+                        .y_range = AxisRange{0.0, 1.0}},
+                       {.curves = {distance},
+                        .caption = "b) equation 17, worked example",
+                        .x_label = "iteration i",
+                        .y_label = "kill distance, length units",
+                        .x_range = AxisRange{0.0, n - 1.0}}}});
+}
+
 /// The worked example of eq. 18-20 and what follows from eq. 17's form.
 void record_equation_17(ExperimentContext& context) {
   const TomlTable example = thesis_parameters().table("equation").table("17");
@@ -103,6 +135,7 @@ void record_equation_17(ExperimentContext& context) {
   context.record("equation-17/single_iteration", schedule.at(0, 1));
   context.record("sigmoid/at_minus_8", sigmoid(-8.0));
   context.record("sigmoid/at_8", sigmoid(8.0));
+  draw_kill_distance(context, schedule, n);
 }
 
 void record_gnarliness(ExperimentContext& context) {

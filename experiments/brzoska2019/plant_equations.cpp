@@ -14,6 +14,7 @@
 #include "core/tree/pendulous_branches.hpp"
 #include "experiments/brzoska2019/thesis_tree.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/plot_artifacts.hpp"
 
 namespace phytobench::experiments::brzoska2019 {
 
@@ -182,17 +183,54 @@ double angle_to_ground_deg(const Skeleton& tree, std::size_t node) {
   return degrees(angle_between(edge, {0, -1, 0}));
 }
 
+/// Eq. 13 over its angle.
+PlotPanel bending_panel() {
+  PlotPanel panel{.curves = {},
+                  .caption = "a) turn of one branch (13)",
+                  .x_label = "angle θ to the downward vertical, degrees",
+                  .y_label = "turn ψ, degrees",
+                  .x_range = AxisRange{0.0, 180.0},
+                  .y_range = AxisRange{0.0, 50.0}};
+  for (const double lambda : {0.4, 0.8, 1.0}) {
+    PlotCurve curve{.name = fmt::format("λ = {}", lambda), .x = {}, .y = {}};
+    for (int theta = 0; theta <= 180; theta += 2) {
+      curve.x.push_back(theta);
+      curve.y.push_back(degrees(pendulous_angle(theta * degree, lambda)));
+    }
+    panel.curves.push_back(curve);
+  }
+  return panel;
+}
+
 void record_chain(ExperimentContext& context) {
+  PlotPanel chain{.curves = {},
+                  .caption = "b) a straight branch at 120°, edge by edge",
+                  .x_label = "edges from the first bent one",
+                  .y_label = "angle θ, degrees",
+                  .y_range = AxisRange{0.0, 120.0}};
   Skeleton branch({0, 0, 0});
   branch.append(0, {0, 1, 0});
   const Vector3 step{std::sin(120 * degree), -std::cos(120 * degree), 0};
   for (std::int32_t i = 1; i < 7; ++i) branch.append(i, branch.position(i) + 0.5 * step);
   for (const double lambda : {0.4, 0.8}) {
     const Skeleton bent = bend_branches(branch, {.intensity = lambda, .first_order = 2});
-    for (std::size_t i = 2; i < bent.node_count(); ++i)
-      context.record(fmt::format("chain/lambda-{}/step-{}", lambda, i - 1),
-                     angle_to_ground_deg(bent, i), "degree");
+    PlotCurve curve{
+        .name = fmt::format("λ = {}", lambda), .x = {}, .y = {}, .style = PlotStyle::marked};
+    for (std::size_t i = 2; i < bent.node_count(); ++i) {
+      curve.x.push_back(static_cast<double>(i - 1));
+      curve.y.push_back(angle_to_ground_deg(bent, i));
+      context.record(fmt::format("chain/lambda-{}/step-{}", lambda, i - 1), curve.y.back(),
+                     "degree");
+    }
+    chain.curves.push_back(curve);
   }
+  add_plot(context, "equation-13",
+           {.title = "How branches hang, by equation 13",
+            .description = "Left, the turn of a branch over its angle to the downward vertical: "
+                           "none straight up or down, the largest at a right angle. Right, the "
+                           "angles of successive edges of a straight branch, each turned with all "
+                           "below it: the branch nears the vertical and never passes it.",
+            .panels = {bending_panel(), chain}});
   // Fig. 22: an upright main shoot and one side branch; bent from order 2 on.
   Skeleton plant({0, 0, 0});
   plant.append(0, {0, 1, 0});

@@ -120,8 +120,9 @@ TEST_F(DrawnLinePlot, TakesNamesForTextAndNeverForCommands) {
     EXPECT_EQ(nesting_problem(svg), "") << name;
     EXPECT_FALSE(std::filesystem::exists(file)) << name;
   }
-  plot_.series[0].name = "<script>\n& more";
-  EXPECT_EQ(found(*draw(plot_), ">(&lt;script&?[^<]* &amp; more)<").size(), 3u);  // key, tooltips
+  plot_.series[1].name = "<script>\n& more";
+  EXPECT_EQ(found(*draw(plot_), ">(&lt;script&?[^<]* &amp; more)<").size(),
+            3u);  // key, tooltips of line and bars
 }
 
 TEST_F(DrawnLinePlot, NamesTicksPlainlyAndAtLeastTwoOfThem) {
@@ -166,6 +167,82 @@ TEST_F(DrawnLinePlot, DrawsErrorBarsWhereThereAreSome) {
   EXPECT_EQ(found(*draw(plot_), "(<path stroke='rgb\\(202)").size() + 1, bars);
 }
 
+TEST_F(DrawnLinePlot, CutsOffWhatLiesOutsideTheGivenAxes) {
+  plot_.log_x = plot_.log_y = false;
+  plot_.series = {{"a", {0, 100}, {0, 100}, {}, {}}};
+  const auto ticks = [&] { return found(*draw(plot_), "<text>\\s*(-?[0-9.]+)</text>"); };
+  EXPECT_THAT(ticks(), testing::Contains("100"));
+  plot_.x_range = AxisRange{0.0, 8.0};
+  plot_.y_range = AxisRange{-1.0, 1.0};
+  EXPECT_THAT(ticks(), testing::IsSupersetOf({"8", "-1", "1"}));
+  EXPECT_THAT(ticks(), testing::Not(testing::Contains("100")));
+  plot_.log_x = true;
+  plot_.series[0].x[0] = plot_.series[0].y[0] = 1.0;
+  plot_.x_range = AxisRange{0.1, 10.0};
+  EXPECT_THAT(ticks(), testing::IsSupersetOf({"0.1", "10"}));
+}
+
+TEST_F(DrawnLinePlot, DrawsEachStyleInItsWay) {
+  plot_.series = {{"a", {1e3, 1e5}, {1e-6, 1e-2}, {}, {}}};
+  const auto drawn = [&](PlotStyle style) {
+    plot_.series[0].style = style;
+    return *draw(plot_);
+  };
+  const auto marks = [](const std::string& svg) {
+    return found(svg, "<use xlink:href='#small-1-(gpPt[0-9]+)' transform").size();
+  };
+  EXPECT_EQ(marks(drawn(PlotStyle::marked)), 3u);  // one in the key
+  EXPECT_EQ(marks(drawn(PlotStyle::points)), 3u);
+  EXPECT_EQ(marks(drawn(PlotStyle::solid)), 0u);
+  EXPECT_FALSE(holds(drawn(PlotStyle::points), "stroke-dasharray"));
+  EXPECT_FALSE(holds(drawn(PlotStyle::solid), "stroke-dasharray"));
+  EXPECT_TRUE(holds(drawn(PlotStyle::dashed), "stroke-dasharray"));
+  EXPECT_NE(drawn(PlotStyle::dashed), drawn(PlotStyle::dotted));
+  // A step more than a line: along, then up.
+  const auto corners = [](const std::string& svg) { return found(svg, "(L[0-9])").size(); };
+  EXPECT_EQ(corners(drawn(PlotStyle::steps)), corners(drawn(PlotStyle::solid)) + 1);
+}
+
+TEST_F(DrawnLinePlot, BreaksALineWhereThereIsNoValue) {
+  PlotSeries series{"a", {1e3, 2e3, 3e3, 4e3, 5e3}, {1, 2, std::nan(""), 3, 4}, {}, {}};
+  series.style = PlotStyle::solid;
+  plot_.series = {series};
+  const auto pieces = [&] { return found(*draw(plot_), "( M[0-9])").size(); };
+  const std::size_t broken = pieces();
+  plot_.series[0].y[2] = 2.5;
+  EXPECT_EQ(pieces() + 1, broken);
+}
+
+TEST_F(DrawnLinePlot, DrawsManyPointsAsDots) {
+  PlotSeries& series = plot_.series[0];
+  series = {"a", {}, {}, {}, {}};
+  series.style = PlotStyle::points;
+  for (int i = 1; i <= 2000; ++i) {
+    series.x.push_back(i);
+    series.y.push_back(1.0 + i % 40);
+  }
+  EXPECT_LT(draw(plot_)->size(), 60u * 1024u);
+}
+
+TEST_F(DrawnLinePlot, StandsInARowWithOthers) {
+  plot_.width = 480;
+  plot_.height = 300;
+  const PlotRow row{.id = "row", .title = "T", .description = "D", .plots = {plot_, plot_, plot_}};
+  const std::string svg = *draw(row);
+  EXPECT_EQ(nesting_problem(svg), "");
+  EXPECT_TRUE(holds(svg, "viewBox=\"0 0 960 600\""));
+  EXPECT_TRUE(holds(svg, "<svg x=\"0\" y=\"300\""));
+  const Texts ids = found(svg, "\\sid=[\"']([^\"']*)");
+  EXPECT_EQ(unique(ids).size(), ids.size());
+  EXPECT_THAT(ids, testing::Each(testing::StartsWith("row-")));
+  EXPECT_THAT(ids, testing::IsSupersetOf(unique(found(svg, "href=[\"']#([^\"']*)"))));
+}
+
+TEST(PlotRowWithoutGnuplot, IsNothing) {
+  const PlotRow row{.id = "row", .title = "T", .description = "D", .plots = {small_plot()}};
+  EXPECT_EQ(draw(row, "phytobench-no-such-program"), std::nullopt);
+}
+
 TEST(LinePlotWithoutGnuplot, IsNothing) {
   EXPECT_EQ(draw(small_plot(), "phytobench-no-such-program"), std::nullopt);
   EXPECT_EQ(draw(small_plot(), "/no/such/folder/gnuplot"), std::nullopt);
@@ -191,6 +268,9 @@ TEST(LinePlotContract, RefusesWhatCannotBeDrawn) {
   expect_refused([](LinePlot& plot) { plot.series[0].y[1] = -1.0; });
   expect_refused([](LinePlot& plot) { plot.series[1].low[1] = 0.0; });
   expect_refused([](LinePlot& plot) { plot.series[1].high[1] = std::nan(""); });
+  expect_refused([](LinePlot& plot) { plot.series[0].x[1] = std::nan(""); });
+  expect_refused([](LinePlot& plot) { plot.series[0].y.assign(3, std::nan("")); });
+  expect_refused([](LinePlot& plot) { plot.series[0].colour = plot_colours; });
   expect_refused([](LinePlot& plot) { plot.id = ""; });
   expect_refused([](LinePlot& plot) { plot.id = "a\" b"; });
 }

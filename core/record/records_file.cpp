@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "core/record/records_file.hpp"
+
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "core/contract/errors.hpp"
+#include "core/record/record_from_json.hpp"
+#include "core/record/sealed_lines.hpp"
+
+namespace phytobench {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::string_view schema = "phytobench/records-2";
+constexpr std::string_view any_version = "phytobench/records-";
+
+RunHeader header_from(const ordered_json& line) {
+  const std::string found =
+      line.contains("schema") && line["schema"].is_string() ? line["schema"] : ordered_json("");
+  if (found != schema && found.starts_with(any_version))
+    throw InputError("this run has the schema " + found +
+                     " of another version of phytobench, this version reads " +
+                     std::string(schema) + "; run the experiments again");
+  if (found != schema)
+    throw InputError("not a run of this suite: the first line must name the schema " +
+                     std::string(schema) + "; give a folder that phytobench run --out has made");
+  return {tier_named(line.at("tier").get<std::string>()), line.at("seed").get<std::uint64_t>()};
+}
+
+/// Collects the lines of an experiment until one says that it is complete.
+class RecordsCollector {
+ public:
+  void add_line(const ordered_json& line) {
+    if (!has_header_) {
+      header_from(line);  // says first what is foreign
+      throw InputError("the first line has lost its SHA-256; run the experiments again");
+    }
+    pending_.push_back(record_from(line));
+  }
+
+  void add_seal(const ordered_json& line, const Seal& seal) {
+    if (has_header_)
+      complete(line, seal);
+    else
+      content.header = header_from(line);
+    has_header_ = true;
+    content.last = seal;
+  }
+
+  bool has_header() const { return has_header_; }
+
+  RecordsFile content;
+
+ private:
+  void complete(const ordered_json& line, const Seal& seal) {
+    const std::string experiment = line.at("experiment");
+    if (pending_.size() != line.at("records").get<std::size_t>())
+      throw InputError("experiment '" + experiment +
+                       "' lost or gained records; run the experiments again");
+    if (!experiments_.insert(experiment).second)
+      throw InputError("experiment '" + experiment +
+                       "' stands here twice; run the experiments again");
+    for (Record& record : pending_) {
+      if (record.experiment != experiment)
+        throw InputError("a record of '" + record.experiment + "' stands in '" + experiment +
+                         "'; run the experiments again");
+      if (!measurements_.insert(record.measurement).second)
+        throw InputError("measurement '" + record.measurement +
+                         "' stands here twice; run the experiments again");
+      content.records.push_back(std::move(record));
+    }
+    pending_.clear();
+    content.experiments.push_back({experiment, seal.digest});
+  }
+
+  bool has_header_ = false;
+  std::vector<Record> pending_;
+  std::set<std::string> experiments_;
+  std::set<std::string> measurements_;
+};
+
+}  // namespace
+
+std::string records_header(const RunHeader& header) {
+  ordered_json line;
+  line["schema"] = schema;
+  line["tier"] = name_of(header.tier);
+  line["seed"] = header.seed;
+  return line.dump();
+}
+
+std::string records_completion(const std::string& experiment, std::size_t records) {
+  ordered_json line;
+  line["experiment"] = experiment;
+  line["complete"] = true;
+  line["records"] = records;
+  return line.dump();
+}
+
+RecordsFile parse_records(const std::filesystem::path& file, std::string_view text) {
+  RecordsCollector collector;
+  read_sealed_lines(file, text,
+                    {.line = [&](const ordered_json& line) { collector.add_line(line); },
+                     .seal = [&](const ordered_json& line,
+                                 const Seal& seal) { collector.add_seal(line, seal); }});
+  if (!collector.has_header())
+    throw InputError(file.string() + ":1: is empty; run the experiments again");
+  return std::move(collector.content);
+}
+
+}  // namespace phytobench

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "core/record/records_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/record/run_folder_fixture.hpp"
+
+namespace phytobench {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string quick_header = records_header(quick_seven);
+
+/// What reading says about a file of that text.
+std::string complaint(const std::string& text) {
+  return input_error([&] { parse_records("run/records.jsonl", text); });
+}
+
+std::string at(int line) {
+  return "run/records.jsonl:" + std::to_string(line) + ": ";
+}
+
+TEST(RecordsFile, HasOneSealedLineBeforeAndAfterTheRecords) {
+  EXPECT_EQ(quick_header, R"({"schema":"phytobench/records-2","tier":"quick","seed":7})");
+  EXPECT_EQ(records_completion("p/one", 2),
+            R"({"experiment":"p/one","complete":true,"records":2})");
+}
+
+TEST(RecordsFile, ComesBackInItsOrder) {
+  SealedText file(quick_header);
+  file.add(record_line("p/two", "a") + record_line("p/two", "b"), records_completion("p/two", 2));
+  file.add("", records_completion("p/one", 0));
+  const RecordsFile read = parse_records("f", file.text());
+  EXPECT_EQ(read.header, quick_seven);
+  ASSERT_EQ(read.records.size(), 2u);
+  EXPECT_EQ(read.records[1].measurement, "p/two/b");
+  ASSERT_EQ(read.experiments.size(), 2u);
+  EXPECT_EQ(read.experiments[0].name, "p/two");
+  EXPECT_EQ(read.experiments[1].name, "p/one");
+  EXPECT_EQ(read.last.digest, read.experiments[1].digest);
+  EXPECT_EQ(read.last.line, 5);
+  EXPECT_EQ(read.last.end, file.text().size());
+}
+
+TEST(RecordsFile, LeavesOutWhatIsUnfinishedWhereverItBreaksOff) {
+  const std::string whole = SealedText(quick_header).add("", records_completion("p/one", 0)).text();
+  SealedText more(quick_header);
+  more.add("", records_completion("p/one", 0));
+  more.add(to_json_line(record_of("p/two", "text", std::string("\xc3\xa4 \"\n\x01"))) + "\n" +
+               to_json_line(record_of("p/two", "value", -1.5e-300)) + "\n",
+           records_completion("p/two", 2));
+  for (std::size_t cut = whole.size(); cut < more.text().size(); ++cut) {
+    const RecordsFile read = parse_records("f", more.text().substr(0, cut));
+    EXPECT_EQ(read.experiments.size(), 1u) << cut;
+    EXPECT_TRUE(read.records.empty()) << cut;
+    EXPECT_EQ(read.last.end, whole.size()) << cut;
+  }
+  EXPECT_EQ(parse_records("f", more.text()).experiments.size(), 2u);
+}
+
+TEST(RecordsFile, DamagedLastLineIsNotTakenForAnUnfinishedOne) {
+  std::string text = SealedText(quick_header).add("", records_completion("p/one", 0)).text();
+  text.back() = 'x';  // was its line end
+  EXPECT_THAT(complaint(text), StartsWith(at(2) + "damaged line"));
+  EXPECT_THAT(complaint(SealedText(quick_header).text() + "3"), StartsWith(at(2) + "damaged line"));
+}
+
+TEST(RecordsFile, ForeignSchemaIsAnInputErrorInTheFirstLine) {
+  for (const char* first :
+       {R"({"tier":"quick","seed":7})", R"({"schema":"other/1","tier":"quick"})",
+        R"({"schema":3,"tier":"quick","seed":7})", "[]", "3", "{}"}) {
+    EXPECT_THAT(complaint(std::string(first) + "\n"), StartsWith(at(1) + "not a run of this suite"))
+        << first;
+    EXPECT_THAT(complaint(std::string(first) + "\n"), HasSubstr("phytobench/records-2")) << first;
+  }
+  EXPECT_THAT(complaint("hello\n"), StartsWith(at(1) + "damaged line"));
+}
+
+TEST(RecordsFile, SchemaOfAnotherVersionIsSaidToBeOne) {
+  const std::string older = R"({"schema":"phytobench/records-1","tier":"quick","seed":7})";
+  const std::string newer = R"({"schema":"phytobench/records-3","tier":"quick","seed":7})";
+  for (const std::string& text :
+       {older + "\n", older + "\n" + record_line("p/one", "a"), SealedText(newer).text()}) {
+    EXPECT_THAT(complaint(text), StartsWith(at(1) + "this run has the schema phytobench/records-"));
+    EXPECT_THAT(complaint(text), HasSubstr("another version"));
+    EXPECT_THAT(complaint(text), HasSubstr("phytobench/records-2; run the experiments again"));
+  }
+}
+
+TEST(RecordsFile, HeaderWithoutTierSeedOrSealIsAnInputErrorInTheFirstLine) {
+  EXPECT_THAT(complaint(quick_header + "\n"), StartsWith(at(1) + "the first line has lost"));
+  for (const char* first : {R"({"schema":"phytobench/records-2","tier":"quick"})",
+                            R"({"schema":"phytobench/records-2","seed":7})",
+                            R"({"schema":"phytobench/records-2","tier":"slow","seed":7})",
+                            R"({"schema":"phytobench/records-2","tier":3,"seed":7})",
+                            R"({"schema":"phytobench/records-2","tier":"quick","seed":"7"})"})
+    EXPECT_THAT(complaint(SealedText(first).text()), StartsWith(at(1))) << first;
+}
+
+TEST(RecordsFile, EmptyFileIsAnInputError) {
+  EXPECT_THAT(complaint(""), StartsWith(at(1) + "is empty"));
+  EXPECT_THAT(complaint(quick_header), StartsWith(at(1) + "is empty")) << "was being written";
+}
+
+TEST(RecordsFile, BrokenLineIsAnInputErrorAtThatLine) {
+  for (const char* broken : {"{broken\n", "\n", "[]\n", "3\n", "{}\n",
+                             R"({"experiment":"p/one"})"
+                             "\n"})
+    EXPECT_THAT(
+        complaint(SealedText(quick_header)
+                      .add(record_line("p/one", "a") + broken, records_completion("p/one", 1))
+                      .text()),
+        StartsWith(at(3)))
+        << broken;
+}
+
+TEST(RecordsFile, ValueThatIsNeitherNumberNorTextIsAnInputErrorAtItsLine) {
+  for (const char* value : {"null", "true", "[1]", "{}"}) {
+    const std::string line = R"({"experiment":"p/one","measurement":"p/one/m","value":)" +
+                             std::string(value) + R"(,"unit":"1","n":1})" + "\n";
+    const std::string message = complaint(SealedText(quick_header).text() + line);
+    EXPECT_THAT(message, StartsWith(at(2))) << value;
+    EXPECT_THAT(message, HasSubstr("neither number nor text")) << value;
+  }
+}
+
+// What no damage does: its seals are right. A program that wrote such files would be wrong.
+TEST(RecordsFile, ContradictionIsAnInputErrorAtItsLine) {
+  const std::string one = record_line("p/one", "a");
+  SealedText twice(quick_header);
+  twice.add(one + one, records_completion("p/one", 2));
+  EXPECT_THAT(complaint(twice.text()),
+              StartsWith(at(4) + "measurement 'p/one/a' stands here twice"));
+
+  Record foreign = record_of("p/two", "a", std::int64_t{1});
+  foreign.measurement = "p/one/a";
+  SealedText elsewhere(quick_header);
+  elsewhere.add(one, records_completion("p/one", 1));
+  elsewhere.add(to_json_line(foreign) + "\n", records_completion("p/two", 1));
+  EXPECT_THAT(complaint(elsewhere.text()),
+              StartsWith(at(5) + "measurement 'p/one/a' stands here twice"));
+
+  for (const std::size_t number : {0u, 2u})
+    EXPECT_THAT(
+        complaint(SealedText(quick_header).add(one, records_completion("p/one", number)).text()),
+        StartsWith(at(3) + "experiment 'p/one' lost or gained records"));
+
+  SealedText again(quick_header);
+  again.add(one, records_completion("p/one", 1));
+  again.add(record_line("p/one", "b"), records_completion("p/one", 1));
+  EXPECT_THAT(complaint(again.text()), StartsWith(at(5) + "experiment 'p/one' stands here twice"));
+
+  EXPECT_THAT(complaint(SealedText(quick_header).add(one, records_completion("p/two", 1)).text()),
+              StartsWith(at(3) + "a record of 'p/one' stands in 'p/two'"));
+}
+
+}  // namespace
+}  // namespace phytobench

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "reports/artifact_plots.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/contract/errors.hpp"
+#include "core/contract/text_file.hpp"
+#include "core/record/plot_files.hpp"
+#include "core/record/plot_points.hpp"
+#include "reports/document_anchors.hpp"
+#include "reports/plot/line_plot.hpp"
+
+namespace phytobench {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view ending = ".plot.json";
+
+// Of a plot alone, and of one of several; letters of 14 have room in both.
+constexpr int lone_width = 640, lone_height = 420, panel_width = 480, panel_height = 400;
+
+/// Colours of curves that name none: one for each name, in order.
+class Colours {
+ public:
+  std::size_t of(const PlotCurve& curve) {
+    if (curve.colour) return *curve.colour;
+    return colours_.emplace(curve.name, colours_.size() % plot_colours).first->second;
+  }
+
+ private:
+  std::map<std::string, std::size_t> colours_;
+};
+
+LinePlot line_plot(const PlotPanel& panel, Colours& colours) {
+  LinePlot plot{.id = {},
+                .title = {},
+                .description = {},
+                .x_label = panel.x_label,
+                .y_label = panel.y_label,
+                .log_x = panel.log_x,
+                .log_y = panel.log_y,
+                .series = {},
+                .caption = panel.caption,
+                .x_range = panel.x_range,
+                .y_range = panel.y_range,
+                .key = panel.curves.size() > 1 ? PlotKey::below : PlotKey::none};
+  for (const PlotCurve& curve : panel.curves)
+    plot.series.push_back({.name = curve.name,
+                           .x = curve.x,
+                           .y = curve.y,
+                           .low = curve.low,
+                           .high = curve.high,
+                           .style = curve.style,
+                           .colour = colours.of(curve)});
+  return plot;
+}
+
+ArtifactPlot read_plot(const fs::path& json_file, const std::string& name,
+                       const std::string& gnuplot) {
+  const std::string stem = name.substr(0, name.size() - ending.size());
+  ArtifactPlot result{
+      .svg = {}, .note = {}, .title = {}, .description = {}, .data_name = stem + ".csv"};
+  const std::string path = json_file.string();
+  result.data_file = path.substr(0, path.size() - ending.size()) + ".csv";
+  if (!fs::is_regular_file(result.data_file))
+    throw InputError(fmt::format("{}: the points of {} are missing; run the experiment again",
+                                 result.data_file.string(), json_file.filename().string()));
+  result.data = read_text_file(result.data_file);
+  const PlotData plot =
+      parse_plot(read_text_file(json_file), path, result.data, result.data_file.string());
+  result.title = plot.title;
+  result.description = plot.description;
+  if (auto svg = draw_plot(plot, slug(stem), gnuplot))
+    result.svg = std::move(*svg);
+  else
+    result.note = "not drawn, for gnuplot is not installed";
+  return result;
+}
+
+}  // namespace
+
+std::optional<std::string> draw_plot(const PlotData& plot, const std::string& id,
+                                     const std::string& gnuplot) {
+  const bool is_lone = plot.panels.size() == 1;
+  PlotRow row{.id = id, .title = plot.title, .description = plot.description, .plots = {}};
+  Colours colours;
+  for (const PlotPanel& panel : plot.panels) {
+    row.plots.push_back(line_plot(panel, colours));
+    row.plots.back().width = is_lone ? lone_width : panel_width;
+    row.plots.back().height = is_lone ? lone_height : panel_height;
+  }
+  return draw(row, gnuplot);
+}
+
+std::map<std::string, ArtifactPlot> artifact_plots(const fs::path& run_folder,
+                                                   const std::string& gnuplot) {
+  std::map<std::string, ArtifactPlot> plots;
+  const fs::path artifacts = run_folder / "artifacts";
+  if (!fs::is_directory(artifacts)) return plots;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(artifacts)) {
+    const std::string name = fs::relative(entry.path(), artifacts).generic_string();
+    if (!name.ends_with(ending)) continue;
+    plots[name.substr(0, name.size() - ending.size()) + ".svg"] =
+        read_plot(entry.path(), name, gnuplot);
+  }
+  return plots;
+}
+
+DataTable data_table(const std::string& csv, std::size_t most_rows) {
+  DataTable table;
+  std::vector<std::vector<std::string>> rows;
+  for (std::string_view rest = csv; !rest.empty();) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    rows.push_back(csv_fields(rest.substr(0, end)));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  if (rows.empty()) return table;
+  table.header = rows[0];
+  if (rows.size() - 1 <= most_rows) table.rows.assign(rows.begin() + 1, rows.end());
+  return table;
+}
+
+}  // namespace phytobench

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "reports/errata_letter.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "reports/errata_letter_counts.hpp"
+
+namespace phytobench {
+
+namespace {
+
+/// "Put v = 0 into eq. 9" -> with a full stop, unless there is one.
+std::string as_sentence(const std::string& text) {
+  const bool ends = text.ends_with('.') || text.ends_with('?') || text.ends_with('!');
+  return with_literal_markdown(text) + (ends ? "" : ".");
+}
+
+std::string number_text(double value) {
+  return fmt::format("{:.7g}", value);
+}
+
+/// "radius r_i = 3; radius r_j = 5".
+std::string inputs_of(const CounterExample& example) {
+  std::string text;
+  for (std::size_t i = 0; i < example.arguments.size(); ++i) {
+    if (i > 0) text += "; ";
+    if (!example.inputs.empty()) text += example.inputs[i] + " = ";
+    text += fmt::format("{}", example.arguments[i]);
+  }
+  return text;
+}
+
+/// One letter, part after part.
+class Letter {
+ public:
+  Letter(const JudgedPaper& judged, bool without_varying)
+      : judged_(judged), without_varying_(without_varying) {
+    for (const Judgement& judgement : judged.judgements)
+      judgements_[judgement.claim->id] = &judgement;
+  }
+
+  std::string text() {
+    add_head();
+    add_errata();
+    add_questions();
+    out_ += confirmed_part(judged_, without_varying_);
+    return out_;
+  }
+
+ private:
+  void add_head() {
+    const Paper& paper = judged_.paper;
+    const auto certain = std::count_if(judged_.errata.begin(), judged_.errata.end(),
+                                       [](const Erratum& e) { return e.confidence == "certain"; });
+    out_ += fmt::format("# Notes on \"{}\"\n\n", with_literal_markdown(paper.title));
+    out_ += fmt::format("{}, {}, {}.\n\n", with_literal_markdown(paper.author), paper.year,
+                        with_literal_markdown(paper.kind));
+    out_ += fmt::format(
+        "The models of this work were built again from its text, and its statements were tested "
+        "one by one. These notes say where the text contradicts itself or leaves a case out ({}, "
+        "of which {} are certain), where it can be read in more than one way ({}), and what was "
+        "confirmed. They use the numbering of the work, name its statements in other words than "
+        "its own, and can be read and checked without the program that they come from. In "
+        "formulas x^2 is a power, sqrt a root, |x| a length or an absolute value, and Greek "
+        "letters are written out.\n\n",
+        judged_.errata.size(), certain, judged_.assumptions.size());
+  }
+
+  void add_errata() {
+    out_ += "## Where the text contradicts itself or leaves a case out\n\n";
+    if (judged_.errata.empty()) out_ += "Nothing was found.\n\n";
+    std::vector<const Erratum*> in_order;
+    for (const Erratum& erratum : judged_.errata) in_order.push_back(&erratum);
+    std::stable_sort(in_order.begin(), in_order.end(), [](const Erratum* a, const Erratum* b) {
+      return section_is_before(a->section, b->section);
+    });
+    for (const Erratum* erratum : in_order) add_erratum(*erratum);
+  }
+
+  void add_erratum(const Erratum& erratum) {
+    out_ += fmt::format("### {}: {}\n\n", erratum.id, place_of(erratum));
+    add_point("Printed", with_literal_markdown(erratum.printed));
+    add_point("Corrected", with_literal_markdown(erratum.corrected));
+    if (erratum.counter_example) add_example(*erratum.counter_example);
+    add_point("What follows", as_sentence(erratum.consequence));
+    if (const std::string verdicts = verdicts_of(erratum.claims); !verdicts.empty())
+      add_point("Statements of the work that it concerns", verdicts);
+    if (!erratum.check.empty()) add_point("To check it", as_sentence(erratum.check));
+    if (erratum.kind) add_point("Kind", name_of(*erratum.kind));
+    add_point("Confidence", erratum.confidence == "certain"
+                                ? "certain"
+                                : "probable: something is wrong here; that this is what was meant "
+                                  "is our inference");
+    out_ += '\n';
+  }
+
+  /// The locator, with the section where it does not say it.
+  std::string place_of(const Erratum& erratum) const {
+    std::string place = with_literal_markdown(erratum.locator);
+    const bool has_chapter = !erratum.section.empty() &&
+                             std::isdigit(static_cast<unsigned char>(erratum.section.front()));
+    const bool names_place = erratum.locator.find("sec. ") != std::string::npos ||
+                             erratum.locator.find("section ") != std::string::npos ||
+                             erratum.locator.find("chapter") != std::string::npos;
+    if (has_chapter && !names_place) place += " (section " + erratum.section + ")";
+    return place;
+  }
+
+  void add_example(const CounterExample& example) {
+    const std::string printed =
+        example.printed ? number_text(*example.printed) : std::string("no value");
+    const std::string result = example.result.empty() ? "result" : example.result;
+    add_point("Example",
+              with_literal_markdown(fmt::format("{}. Sought: {}.", inputs_of(example), result)) +
+                  fmt::format(" As printed: **{}**; corrected: **{}**. ", printed,
+                              number_text(example.corrected)) +
+                  as_sentence(example.why));
+  }
+
+  /// The named claims with their verdicts, "holds with the correction: ...", one a line.
+  std::string verdicts_of(const std::vector<std::string>& claims) const {
+    std::string text;
+    for (const std::string& id : claims) {
+      const auto found = judgements_.find(id);
+      if (found == judgements_.end()) continue;
+      text += fmt::format(
+          "\n  - {} *({})*",
+          as_sentence(found->second->claim->locator + ": " + found->second->claim->text),
+          plain_verdict(*found->second, without_varying_));
+    }
+    return text;
+  }
+
+  void add_questions() {
+    out_ += "## Where the text can be read in more than one way\n\n";
+    if (judged_.assumptions.empty()) out_ += "Nothing was assumed.\n\n";
+    for (const Assumption& assumption : judged_.assumptions) {
+      out_ +=
+          fmt::format("### {}: {}\n\n", assumption.id, with_literal_markdown(assumption.locator));
+      add_point("Question", as_sentence(assumption.question));
+      add_point("Our reading", as_sentence(assumption.reading));
+      add_point("Otherwise", as_sentence(assumption.alternatives));
+      if (const std::string rests = outcome_counts(assumption.claims); !rests.empty())
+        add_point("Statements that rest on it", rests);
+      out_ += '\n';
+    }
+  }
+
+  /// "4 hold under our reading of a question above, 1 does not hold".
+  std::string outcome_counts(const std::vector<std::string>& claims) const {
+    std::vector<const Judgement*> named;
+    for (const std::string& id : claims)
+      if (const auto found = judgements_.find(id); found != judgements_.end())
+        named.push_back(found->second);
+    std::string text;
+    for (const std::string& count : verdict_counts(named, without_varying_))
+      text += (text.empty() ? "" : ", ") + count;
+    return text;
+  }
+
+  void add_point(const char* name, const std::string& text) {
+    out_ += fmt::format("- **{}:**{}{}\n", name, text.starts_with('\n') ? "" : " ", text);
+  }
+
+  const JudgedPaper& judged_;
+  bool without_varying_;
+  std::map<std::string, const Judgement*> judgements_;
+  std::string out_;
+};
+
+bool is_space_or_edge(const std::string& text, std::size_t i) {
+  return i >= text.size() || std::isspace(static_cast<unsigned char>(text[i])) != 0;
+}
+
+bool is_in_word(const std::string& text, std::size_t i) {
+  return i < text.size() && std::isalnum(static_cast<unsigned char>(text[i])) != 0;
+}
+
+/// Whether Markdown would read the character at i as markup.
+bool is_markup(const std::string& text, std::size_t i) {
+  const std::size_t before = i - 1, behind = i + 1;  // before wraps around at the edge
+  switch (text[i]) {
+    case '`':
+    case '\\':
+      return true;
+    case '*':
+      return !(is_space_or_edge(text, before) && is_space_or_edge(text, behind));
+    case '_':
+      return !(is_in_word(text, before) && is_in_word(text, behind));
+    case '<':
+      return is_in_word(text, behind) ||
+             (behind < text.size() && (text[behind] == '/' || text[behind] == '!'));
+    case ']':
+      return behind < text.size() && text[behind] == '(';
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+std::string with_literal_markdown(const std::string& text) {
+  std::string literal;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (is_markup(text, i)) literal += '\\';
+    literal += text[i] == '\n' ? ' ' : text[i];
+  }
+  return literal;
+}
+
+std::string errata_letter(const JudgedPaper& judged, bool without_varying) {
+  return Letter(judged, without_varying).text();
+}
+
+}  // namespace phytobench

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "reports/errata_letter.hpp"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reports/errata_letter_counts.hpp"
+
+namespace phytobench {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Claim claim_of(const std::string& id, const std::string& basis) {
+  Claim claim;
+  claim.id = id;
+  claim.locator = "eq. 2";
+  claim.text = "It grows with " + id;
+  claim.published = "-";
+  claim.basis = basis;
+  claim.reason = "Because.";
+  return claim;
+}
+
+/// A work with two errata in the wrong order, one question and five claims.
+struct SmallWork {
+  Claim plain = claim_of("w/plain", "paper"), corrected = claim_of("w/corrected", "paper"),
+        read = claim_of("w/read", "assumed"), refuted = claim_of("w/refuted", "paper"),
+        timed = claim_of("w/timed", "paper");
+  JudgedPaper work;
+
+  SmallWork() {
+    work.paper = {.key = "w",
+                  .title = "Plants",
+                  .author = "A. Author",
+                  .year = "1999",
+                  .kind = "thesis",
+                  .summary = ""};
+    work.errata = {{.id = "E2",
+                    .section = "4.10",
+                    .locator = "eq. 7",
+                    .printed = "a",
+                    .corrected = "b",
+                    .consequence = "Less light.",
+                    .confidence = "probable"},
+                   {.id = "E1",
+                    .section = "4.9",
+                    .locator = "eq. 2",
+                    .kind = ErratumKind::formula,
+                    .printed = "n = V / rho",
+                    .corrected = "n = V * rho",
+                    .consequence = "Too few points",
+                    .check = "Put in numbers",
+                    .confidence = "certain",
+                    .claims = {"w/corrected", "w/unknown"},
+                    .counter_example = CounterExample{.oracle = "o",
+                                                      .arguments = {843.2537, 30.0},
+                                                      .inputs = {"volume V", "density rho"},
+                                                      .result = "points",
+                                                      .printed = 28.1084567,
+                                                      .corrected = 25298.0,
+                                                      .why = "The test tree"}}};
+    work.assumptions = {{.id = "A1",
+                         .locator = "sec. 3",
+                         .question = "Which one",
+                         .reading = "The first",
+                         .alternatives = "16 edges instead of 5200",
+                         .claims = {"w/read", "w/refuted"}}};
+    work.judgements = {{.claim = &plain, .verdict = Verdict::reproduced},
+                       {.claim = &corrected, .verdict = Verdict::reproduced_with_erratum},
+                       {.claim = &read, .verdict = Verdict::reproduced},
+                       {.claim = &refuted, .verdict = Verdict::not_reproduced, .measured = "0.9"},
+                       {.claim = &timed, .verdict = Verdict::reproduced, .varies = true}};
+  }
+};
+
+TEST(ErrataLetter, HoldsAllOfAnErratumInTheOrderOfTheWork) {
+  const std::string letter = errata_letter(SmallWork().work, false);
+  EXPECT_THAT(letter, HasSubstr("# Notes on \"Plants\"\n\nA. Author, 1999, thesis."));
+  EXPECT_LT(letter.find("### E1: eq. 2 (section 4.9)"), letter.find("### E2: eq. 7"));
+  for (const char* part :
+       {"**Printed:** n = V / rho", "**Corrected:** n = V * rho",
+        "volume V = 843.2537; density rho = 30. Sought: points. As printed: **28.10846**; "
+        "corrected: **25298**. The test tree.",
+        "**What follows:** Too few points.",
+        "  - eq. 2: It grows with w/corrected. *(holds with the correction)*",
+        "**To check it:** Put in numbers.", "**Kind:** formula", "**Confidence:** certain"})
+    EXPECT_THAT(letter, HasSubstr(part));
+  EXPECT_THAT(letter, Not(HasSubstr("w/unknown"))) << "a claim that was not judged";
+}
+
+TEST(ErrataLetter, SaysWhereThePrintedFormHasNoValue) {
+  SmallWork small;
+  small.work.errata[1].counter_example->printed.reset();
+  EXPECT_THAT(errata_letter(small.work, false), HasSubstr("As printed: **no value**"));
+}
+
+TEST(ErrataLetter, AsksQuestionsAndSaysWhatRestsOnThem) {
+  const std::string letter = errata_letter(SmallWork().work, false);
+  EXPECT_THAT(letter, HasSubstr("### A1: sec. 3\n\n- **Question:** Which one.\n"));
+  EXPECT_THAT(letter, HasSubstr("**Otherwise:** 16 edges instead of 5200."));
+  EXPECT_THAT(letter, HasSubstr("**Statements that rest on it:** 1 holds under our reading, 1 does "
+                                "not hold"));
+}
+
+TEST(ErrataLetter, CountsWhatWasConfirmedAndWhatWasNot) {
+  const std::string letter = errata_letter(SmallWork().work, false);
+  EXPECT_THAT(letter, HasSubstr("into 5 statements. 5 of them were decided"));
+  EXPECT_THAT(letter, HasSubstr("- 2 hold as they stand\n"));
+  EXPECT_THAT(letter, HasSubstr("- 1 holds with the correction\n"));
+  EXPECT_THAT(letter, HasSubstr("- eq. 2: It grows with w/refuted Found: 0.9. Because.\n"));
+}
+
+TEST(ErrataLetter, LeavesOutWhatRestsOnTimesIfAskedTo) {
+  const std::string letter = errata_letter(SmallWork().work, true);
+  EXPECT_THAT(letter, HasSubstr("into 5 statements. 4 of them were decided"));
+  EXPECT_THAT(letter, HasSubstr("- 1 holds as it stands\n"));
+  EXPECT_THAT(letter, HasSubstr("- 1 left out: rests on times\n"));
+}
+
+TEST(ErrataLetter, KnowsAPlainWordForEveryVerdict) {
+  for (const Verdict verdict : all_verdicts)
+    for (const char* basis : {"paper", "author-published", "assumed", "fitted"}) {
+      const Claim claim = claim_of("w/a", basis);
+      const Judgement judgement{.claim = &claim, .verdict = verdict};
+      const std::vector<const Judgement*> one = {&judgement};
+      ASSERT_EQ(verdict_counts(one, false).size(), 1u) << name_of(verdict) << ", " << basis;
+      EXPECT_EQ(verdict_counts(one, false)[0], "1 " + plain_verdict(judgement, false));
+    }
+}
+
+TEST(ErrataLetter, EscapesOnlyWhatMarkdownWouldTakeForMarkup) {
+  for (const char* formula :
+       {"n = V * rho", "r_i^2 (theta_i - sin theta_i)", "r_i < d < r_i + r_j", "a in [10, 100]",
+        "min_i |p_j - p_i|", "(n + g) / |n + g|", "p < 0.5"})
+    EXPECT_EQ(with_literal_markdown(formula), formula);
+  EXPECT_EQ(with_literal_markdown("*a* _b_ `c` <d> [e](f) g\\h"),
+            "\\*a\\* \\_b\\_ \\`c\\` \\<d> [e\\](f) g\\\\h");
+  EXPECT_EQ(with_literal_markdown("two\nlines"), "two lines");
+  EXPECT_EQ(with_literal_markdown("*"), "*") << "alone it is no markup";
+  EXPECT_EQ(with_literal_markdown(""), "");
+}
+
+TEST(ErrataLetter, OfTheRealWorksIsWhole) {
+  for (const JudgedPaper& paper : judge_run({}).papers) {
+    const std::string letter = errata_letter(paper, false);
+    for (const Erratum& erratum : paper.errata)
+      EXPECT_THAT(letter, HasSubstr("### " + erratum.id + ": "));
+    for (const Assumption& assumption : paper.assumptions)
+      EXPECT_THAT(letter, HasSubstr("### " + assumption.id + ": "));
+    EXPECT_THAT(letter, Not(HasSubstr("..\n")));
+    EXPECT_THAT(letter, Not(HasSubstr("phytobench")));
+    EXPECT_THAT(letter, Not(HasSubstr("ledger")));
+  }
+}
+
+}  // namespace
+}  // namespace phytobench

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "reports/judge/judged_run.hpp"
+
+namespace phytobench {
+
+/// The verdicts in the form in which test runners report (JUnit XML): a suite per paper, a case per
+/// claim. A case fails only where the verdict is not the expected one - a refuted claim that was
+/// expected to be refuted passes - and is skipped where the run decides nothing. Claims that rest
+/// on times are skipped on request.
+std::string junit_xml(const JudgedRun& judged, bool without_varying);
+
+}  // namespace phytobench

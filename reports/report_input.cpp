@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "reports/report_input.hpp"
+
+#include "core/contract/check.hpp"
+#include "core/contract/errors.hpp"
+#include "core/contract/text_file.hpp"
+#include "reports/artifact_plots.hpp"
+#include "reports/run_labels.hpp"
+
+namespace phytobench {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether it is the large version of a picture that is there in a size for pages, too.
+bool is_full_size(const fs::path& file) {
+  return file.stem().extension() == ".full";
+}
+
+/// Adds artifacts with that extension, by their path below artifacts/; those that are there stay.
+void add_artifacts(std::map<std::string, Picture>& pictures, const fs::path& run_folder,
+                   std::string_view extension) {
+  const fs::path artifacts = run_folder / "artifacts";
+  if (!fs::is_directory(artifacts)) return;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(artifacts)) {
+    const std::string name = fs::relative(entry.path(), artifacts).generic_string();
+    if (entry.path().extension() == extension && !is_full_size(entry.path()) &&
+        !pictures.contains(name))
+      pictures[name] = {entry.path(), read_text_file(entry.path())};
+  }
+}
+
+/// All that a run left to be shown; plots that it left as data are drawn.
+void add_pictures(ReportInput& input, const fs::path& run_folder) {
+  add_artifacts(input.drawings, run_folder, ".svg");
+  add_artifacts(input.photographs, run_folder, ".jpg");
+  for (auto& [name, plot] : artifact_plots(run_folder)) {
+    if (!plot.svg.empty()) input.drawings.try_emplace(name, Picture{{}, std::move(plot.svg)});
+    input.plot_data.try_emplace(plot.data_name, Picture{plot.data_file, std::move(plot.data)});
+  }
+}
+
+/// The same run counted twice would seem to confirm itself. Equal records are no sign of it, since
+/// they are the same on every machine; an equal environment is, as it holds date and load.
+void refuse_same_run(const ReportInput& input) {
+  for (std::size_t i = 0; i < input.run_folders.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const fs::path &first = input.run_folders[j], &second = input.run_folders[i];
+      const bool same_folder = fs::equivalent(first, second);
+      const bool copied =
+          input.environments[i] != "{}" && input.environments[i] == input.environments[j];
+      if (!same_folder && !copied) continue;
+      throw InputError(second.string() + ": is the same run as " + first.string() +
+                       (same_folder ? "" : ", copied (equal environment.json)") +
+                       "; name each run once");
+    }
+}
+
+std::vector<std::string> labels_of(const ReportInput& input, bool without_varying) {
+  std::vector<RunOrigin> origins;
+  for (std::size_t i = 0; i < input.run_folders.size(); ++i)
+    origins.push_back({input.environments[i], input.run_folders[i].string()});
+  std::vector<std::string> labels = run_labels(origins);
+  for (std::size_t i = 0; without_varying && i < labels.size(); ++i)
+    labels[i] = "run " + std::to_string(i + 1);
+  return labels;
+}
+
+}  // namespace
+
+ReportInput read_report_input(const std::vector<fs::path>& run_folders,
+                              const ReportInputOptions& options) {
+  PHYTOBENCH_EXPECT(!run_folders.empty());
+  ReportInput input;
+  input.run_folders = run_folders;
+  std::vector<RunContents> contents;
+  for (const fs::path& folder : run_folders) {
+    contents.push_back(read_run(folder));
+    input.environments.push_back(read_environment(folder));
+    if (options.pictures) add_pictures(input, folder);
+  }
+  if (run_folders.size() == 1) {
+    input.judged = judge_run(std::move(contents.front()));
+    return input;
+  }
+  refuse_same_run(input);
+  const std::vector<std::string> labels = labels_of(input, options.without_varying);
+  std::vector<LabelledRun> runs;
+  for (std::size_t i = 0; i < contents.size(); ++i)
+    runs.push_back({labels[i], judge_run(std::move(contents[i]))});
+  MergedRuns merged = merge_runs(std::move(runs));
+  input.judged = std::move(merged.judged);
+  input.comparison = std::move(merged.comparison);
+  return input;
+}
+
+}  // namespace phytobench

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/judge/judged_run.hpp"
+#include "reports/judge/run_comparison.hpp"
+
+namespace phytobench {
+
+/// An artifact of a run that can be shown, or what is drawn from one.
+struct Picture {
+  std::filesystem::path file;  ///< where it lies; empty: it was drawn for the report
+  std::string bytes;
+};
+
+/// Everything a report is made from: runs, read and judged.
+struct ReportInput {
+  JudgedRun judged;                         ///< of several runs: merged
+  std::optional<RunComparison> comparison;  ///< of several runs only
+  std::vector<std::filesystem::path> run_folders;
+  std::vector<std::string> environments;       ///< environment.json of each run
+  std::map<std::string, Picture> drawings;     ///< SVG, by their path below artifacts/
+  std::map<std::string, Picture> photographs;  ///< JPEG, the same
+  std::map<std::string, Picture> plot_data;    ///< CSV files of drawn plots, the same
+};
+
+struct ReportInputOptions {
+  bool pictures = true;          ///< read and draw them
+  bool without_varying = false;  ///< label several runs by their place, not by their machine
+};
+
+/// Reads and judges the runs; several are merged. Of an artifact that several runs left, the first
+/// run's is taken. Throws InputError for a folder without a run, and where one run is given twice.
+ReportInput read_report_input(const std::vector<std::filesystem::path>& run_folders,
+                              const ReportInputOptions& options);
+
+}  // namespace phytobench

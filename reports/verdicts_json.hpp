@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "reports/judge/judged_run.hpp"
+#include "reports/judge/run_comparison.hpp"
+
+namespace phytobench {
+
+/// verdicts.json: every claim with its verdict, for programs. Of several runs (`comparison` is not
+/// null) also what each of them says. Left out on request: claims that rest on times.
+std::string verdicts_json(const JudgedRun& judged, const RunComparison* comparison,
+                          bool without_varying);
+
+}  // namespace phytobench
