@@ -117,8 +117,8 @@ ClaimCheck check_from(const TomlTable& table, const std::string& paper) {
 
 Claim claim_from(const TomlTable& table, const std::string& paper) {
   table.allow_only({"id", "locator", "kind", "text", "published", "unit", "digits", "basis", "tier",
-                    "expected_verdict", "predicted_verdict", "difference", "missing_model",
-                    "erratum", "verdict", "reason", "check"});
+                    "expected_verdict", "predicted_verdict", "difference", "machine_dependence",
+                    "missing_model", "erratum", "verdict", "reason", "check"});
   Claim claim;
   claim.id = table.text("id");
   if (claim.id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789./_-") != std::string::npos ||
@@ -137,6 +137,7 @@ Claim claim_from(const TomlTable& table, const std::string& paper) {
   claim.expected_verdict = verdict_of(table, "expected_verdict");
   claim.predicted_verdict = verdict_of(table, "predicted_verdict");
   claim.difference = table.text_or("difference", "");
+  claim.machine_dependence = table.text_or("machine_dependence", "");
   claim.missing_model = table.text_or("missing_model", "");
   claim.erratum = table.text_or("erratum", "");
   claim.reason = table.text("reason");
@@ -149,6 +150,8 @@ Claim claim_from(const TomlTable& table, const std::string& paper) {
   if (claim.difference.empty() != (claim.predicted_verdict == claim.expected_verdict))
     table.fail(
         "'difference' says why the expected verdict is not the predicted one, and only then");
+  if (!claim.machine_dependence.empty() && claim.tier == Tier::smoke)
+    table.fail("'machine_dependence' is for claims on times, which no smoke run measures");
   if (!claim.missing_model.empty() && claim.fixed_verdict != Verdict::not_measured)
     table.fail("'missing_model' goes with verdict = \"not measured\" only");
   return claim;

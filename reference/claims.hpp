@@ -75,7 +75,10 @@ struct Claim {
   /// The verdict we derived from the text before anything was built; what the run gives is compared
   /// with it in the report. Every claim of a file has one.
   std::optional<Verdict> predicted_verdict;
-  std::string difference;     ///< why the expected verdict is not the predicted one; else empty
+  std::string difference;  ///< why the expected verdict is not the predicted one; else empty
+  /// Of a claim on times: on which processors it came out how. Such a verdict is nowhere
+  /// unexpected.
+  std::string machine_dependence;
   std::string missing_model;  ///< model that is not built yet and keeps it unmeasured; else empty
   std::string topic;          ///< heading of its file
   std::string erratum;        ///< id of the erratum that makes it hold; empty: none

@@ -73,6 +73,7 @@ void add_prediction(ordered_json& part, const Judgement& judgement, bool hidden)
   part["differs"] = predicted && !hidden && !lacks_evidence(judgement) &&
                     claim.missing_model.empty() && judgement.verdict != *predicted;
   add_text(part, "difference", claim.difference);
+  add_text(part, "machine_dependence", claim.machine_dependence);
   add_text(part, "missing_model", claim.missing_model);
 }
 

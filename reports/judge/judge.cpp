@@ -305,6 +305,7 @@ std::string short_measured(const std::vector<JudgedCheck>& checks) {
 }  // namespace
 
 bool Judgement::is_unexpected() const {
+  if (varies && !claim->machine_dependence.empty()) return false;
   return verdict != claim->expected_verdict && verdict != Verdict::not_measured &&
          verdict != Verdict::inconclusive;
 }

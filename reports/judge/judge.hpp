@@ -36,7 +36,7 @@ struct Judgement {
   bool varies = false;  ///< rests on times, which differ between equal runs
 
   /// Whether the verdict contradicts the claim's expected one. Missing evidence and noise
-  /// contradict nothing.
+  /// contradict nothing, nor do times where they are known to come out otherwise elsewhere.
   bool is_unexpected() const;
 };
 

@@ -477,6 +477,18 @@ TEST(Judge, HoldsEveryVerdictAgainstTheExpectedOneExceptNoiseAndGaps) {
   }
 }
 
+TEST(Judge, TakesNoTimeAsUnexpectedThatIsKnownToDependOnTheMachine) {
+  Claim claim = claim_of({});
+  claim.expected_verdict = Verdict::reproduced;
+  Judgement judgement{.claim = &claim, .verdict = Verdict::not_reproduced};
+  judgement.varies = true;
+  EXPECT_TRUE(judgement.is_unexpected());
+  claim.machine_dependence = "above 10 here, below 10 there";
+  EXPECT_FALSE(judgement.is_unexpected());
+  judgement.varies = false;
+  EXPECT_TRUE(judgement.is_unexpected()) << "what is counted is the same on every machine";
+}
+
 // Laws.
 
 TEST(JudgeLaw, TheOrderOfRecordsAndTermsDoesNotMatter) {
