@@ -45,9 +45,10 @@ CompeteFolder::CompeteFolder(fs::path folder, std::vector<Setting> settings, Fra
       inputs_(std::move(inputs)) {}
 
 void CompeteFolder::begin(const CompeteProgress& progress) {
-  refuse_files_of_others();
   make_folder(folder_);
+  // First: another run may be about to write what is looked for.
   lock_ = FolderLock(folder_);
+  refuse_files_of_others();
   remove_leftovers();
   save(progress.state, progress.pairs);
   write_inputs();

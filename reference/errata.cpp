@@ -13,16 +13,18 @@ namespace phytobench {
 
 namespace {
 
-constexpr ErratumKind all_kinds[] = {ErratumKind::formula, ErratumKind::number,
+constexpr ErratumKind all_kinds[] = {ErratumKind::formula,      ErratumKind::number,
                                      ErratumKind::missing_case, ErratumKind::wording,
-                                     ErratumKind::bookkeeping};
+                                     ErratumKind::bookkeeping,  ErratumKind::program};
 
 std::optional<ErratumKind> kind_from(const TomlTable& table) {
   if (!table.has("kind")) return std::nullopt;
   const std::string word = table.text("kind");
   for (const ErratumKind kind : all_kinds)
     if (name_of(kind) == word) return kind;
-  table.fail("'kind' must be formula, number, missing case, wording or bookkeeping");
+  table.fail(
+      "'kind' must be formula, number, missing case, wording, bookkeeping or differs from the "
+      "program");
 }
 
 CounterExample counter_example_from(const TomlTable& table) {
@@ -93,6 +95,8 @@ std::string name_of(ErratumKind kind) {
       return "wording";
     case ErratumKind::bookkeeping:
       return "bookkeeping";
+    case ErratumKind::program:
+      return "differs from the program";
   }
   return "";
 }

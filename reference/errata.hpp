@@ -28,9 +28,10 @@ enum class ErratumKind {
   missing_case,  ///< what is printed has no value, or no sense, for some inputs
   wording,       ///< a word or sentence that contradicts the rest of the work
   bookkeeping,   ///< labels, references, symbols
+  program,       ///< sound as printed, but the program of the work does something else
 };
 
-/// "missing case", ...: always words.
+/// "missing case", "differs from the program", ...: always words.
 std::string name_of(ErratumKind kind);
 
 struct Erratum {
@@ -40,7 +41,7 @@ struct Erratum {
   std::string locator;  ///< "eq. 9", "fig. 4.5, caption"
   std::optional<ErratumKind> kind;
   std::string printed;
-  std::string corrected;
+  std::string corrected;  ///< of kind program: what the program does
   std::string consequence;
   std::string check;       ///< how a reader checks it without this suite; empty: not written yet
   std::string confidence;  ///< "certain" or "probable"

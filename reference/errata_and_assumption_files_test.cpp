@@ -85,6 +85,9 @@ TEST_F(PaperNotes, ErrataTakeWhatALetterNeedsAndDoWithoutIt) {
   EXPECT_EQ(full[0].counter_example->result, "z");
   EXPECT_FALSE(full[0].counter_example->printed);
 
+  write("errata.toml", erratum_text("kind = \"differs from the program\"\n"));
+  EXPECT_EQ(load_errata("other2020").at(0).kind, ErratumKind::program);
+
   write("errata.toml", erratum_text(""));
   const std::vector<Erratum> bare = load_errata("other2020");
   ASSERT_EQ(bare.size(), 1u);

@@ -83,9 +83,9 @@ std::string missing_for_a_letter(const Erratum& erratum) {
   const auto demand = [&](bool there, const char* what) {
     if (!there) missing += std::string(missing.empty() ? "" : ", ") + what;
   };
-  const bool needs_number = erratum.kind == ErratumKind::formula ||
-                            erratum.kind == ErratumKind::number ||
-                            erratum.kind == ErratumKind::missing_case;
+  const bool needs_number =
+      erratum.kind == ErratumKind::formula || erratum.kind == ErratumKind::number ||
+      erratum.kind == ErratumKind::missing_case || erratum.kind == ErratumKind::program;
   demand(!erratum.section.empty(), "section");
   demand(erratum.kind.has_value(), "kind");
   demand(!erratum.check.empty(), "check");
@@ -110,6 +110,8 @@ TEST(Errata, AnIncompleteEntryIsNoticed) {
   Erratum erratum{.section = "3.4.4", .kind = ErratumKind::wording, .check = "Read on."};
   EXPECT_EQ(missing_for_a_letter(erratum), "");
   erratum.kind = ErratumKind::formula;
+  EXPECT_EQ(missing_for_a_letter(erratum), "counter_example");
+  erratum.kind = ErratumKind::program;
   EXPECT_EQ(missing_for_a_letter(erratum), "counter_example");
   erratum.counter_example = CounterExample{.inputs = {"r"}};
   EXPECT_EQ(missing_for_a_letter(erratum), "result");

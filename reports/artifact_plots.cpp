@@ -62,19 +62,19 @@ LinePlot line_plot(const PlotPanel& panel, Colours& colours) {
   return plot;
 }
 
-ArtifactPlot read_plot(const fs::path& json_file, const std::string& name,
-                       const std::string& gnuplot) {
+ArtifactPlot read_plot(const fs::path& folder, const std::set<std::string>& artifacts,
+                       const std::string& name, const std::string& gnuplot) {
   const std::string stem = name.substr(0, name.size() - ending.size());
   ArtifactPlot result{
       .svg = {}, .note = {}, .title = {}, .description = {}, .data_name = stem + ".csv"};
-  const std::string path = json_file.string();
-  result.data_file = path.substr(0, path.size() - ending.size()) + ".csv";
-  if (!fs::is_regular_file(result.data_file))
+  const fs::path json_file = folder / name;
+  result.data_file = folder / result.data_name;
+  if (!artifacts.contains(result.data_name))
     throw InputError(fmt::format("{}: the points of {} are missing; run the experiment again",
                                  result.data_file.string(), json_file.filename().string()));
   result.data = read_text_file(result.data_file);
-  const PlotData plot =
-      parse_plot(read_text_file(json_file), path, result.data, result.data_file.string());
+  const PlotData plot = parse_plot(read_text_file(json_file), json_file.string(), result.data,
+                                   result.data_file.string());
   result.title = plot.title;
   result.description = plot.description;
   if (auto svg = draw_plot(plot, slug(stem), gnuplot))
@@ -100,16 +100,13 @@ std::optional<std::string> draw_plot(const PlotData& plot, const std::string& id
 }
 
 std::map<std::string, ArtifactPlot> artifact_plots(const fs::path& run_folder,
+                                                   const std::set<std::string>& artifacts,
                                                    const std::string& gnuplot) {
   std::map<std::string, ArtifactPlot> plots;
-  const fs::path artifacts = run_folder / "artifacts";
-  if (!fs::is_directory(artifacts)) return plots;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(artifacts)) {
-    const std::string name = fs::relative(entry.path(), artifacts).generic_string();
-    if (!name.ends_with(ending)) continue;
-    plots[name.substr(0, name.size() - ending.size()) + ".svg"] =
-        read_plot(entry.path(), name, gnuplot);
-  }
+  for (const std::string& name : artifacts)
+    if (name.ends_with(ending))
+      plots[name.substr(0, name.size() - ending.size()) + ".svg"] =
+          read_plot(run_folder / "artifacts", artifacts, name, gnuplot);
   return plots;
 }
 

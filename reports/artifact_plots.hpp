@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,11 +23,13 @@ struct ArtifactPlot {
   std::string data;                 ///< its content
 };
 
-/// The plots (*.plot.json, each with its CSV file beside it) of a run, by their name below
-/// artifacts/ as if the picture were there: "alsweis/two-plants/figure-4.5.svg". Where `gnuplot` (a
-/// program's name or path) is not installed, they are there without a picture. Throws InputError
-/// with file and line or key for a file that is broken or no plot of ours.
+/// The plots (*.plot.json, each with its CSV file beside it) among a run's sealed `artifacts`,
+/// which are given by their path below artifacts/; by that path as if the picture were there:
+/// "alsweis/two-plants/figure-4.5.svg". Where `gnuplot` (a program's name or path) is not
+/// installed, they are there without a picture. Throws InputError with file and line or key for a
+/// file that is broken or no plot of ours.
 std::map<std::string, ArtifactPlot> artifact_plots(const std::filesystem::path& run_folder,
+                                                   const std::set<std::string>& artifacts,
                                                    const std::string& gnuplot = "gnuplot");
 
 /// The picture; nothing if gnuplot is not installed. `id` of letters, digits and '-'.

@@ -40,15 +40,21 @@ class ArtifactPlots : public testing::Test {
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder() / name) << text;
   }
-  std::string refusal() const {
+  std::string refusal() const { return refusal(sealed_); }
+  std::string refusal(const std::set<std::string>& sealed) const {
     try {
-      artifact_plots(run_, no_gnuplot);
+      artifact_plots(run_, sealed, no_gnuplot);
     } catch (const InputError& error) {
       return error.what();
     }
     return "";
   }
 
+  /// The path of a file below artifacts/.
+  static std::string path_of(const std::string& name) { return "alsweis/two-plants/" + name; }
+
+  const std::set<std::string> sealed_{path_of("figure-4.5.plot.json"), path_of("figure-4.5.csv"),
+                                      path_of("stand.svg"), path_of("passes.csv")};
   fs::path run_ =
       fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
 };
@@ -58,7 +64,7 @@ TEST_F(ArtifactPlots, AreFoundWithTheirDataAlsoWithoutGnuplot) {
   write("figure-4.5.csv", plot_csv(two_panels()));
   write("stand.svg", "<svg/>");
   write("passes.csv", "a,b\n");
-  const auto plots = artifact_plots(run_, no_gnuplot);
+  const auto plots = artifact_plots(run_, sealed_, no_gnuplot);
   ASSERT_EQ(plots.size(), 1u);
   const auto& [name, plot] = *plots.begin();
   EXPECT_EQ(name, "alsweis/two-plants/figure-4.5.svg");
@@ -72,12 +78,20 @@ TEST_F(ArtifactPlots, AreFoundWithTheirDataAlsoWithoutGnuplot) {
 }
 
 TEST_F(ArtifactPlots, AreNoneInARunWithoutArtifacts) {
-  EXPECT_TRUE(artifact_plots(run_ / "nowhere", no_gnuplot).empty());
+  EXPECT_TRUE(artifact_plots(run_ / "nowhere", {}, no_gnuplot).empty());
+}
+
+TEST_F(ArtifactPlots, AreThoseThatTheRunSealed) {
+  write("figure-4.5.plot.json", plot_json(two_panels()));
+  write("figure-4.5.csv", plot_csv(two_panels()));
+  EXPECT_TRUE(artifact_plots(run_, {path_of("figure-4.5.csv")}, no_gnuplot).empty());
+  EXPECT_EQ(artifact_plots(run_, sealed_, no_gnuplot).size(), 1u);
 }
 
 TEST_F(ArtifactPlots, AreRefusedWithTheFileThatIsWrong) {
   write("figure-4.5.plot.json", plot_json(two_panels()));
-  EXPECT_THAT(refusal(),
+  write("figure-4.5.csv", plot_csv(two_panels()));
+  EXPECT_THAT(refusal({path_of("figure-4.5.plot.json")}),
               HasSubstr("figure-4.5.csv: the points of figure-4.5.plot.json are missing"));
   write("figure-4.5.csv", plot_csv(two_panels()) + "1,third,0,0\n");
   EXPECT_THAT(refusal(), HasSubstr("figure-4.5.csv:14: no series 'third'"));

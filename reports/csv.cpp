@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reports/csv.hpp"
 
+#include "reports/document_claims.hpp"
 #include "reports/exact_text.hpp"
 #include "reports/repeat_commands.hpp"
 
@@ -34,6 +35,7 @@ Fields claim_fields(const Claim& claim, const Judgement& judgement, bool hidden,
           claim.digits ? std::to_string(*claim.digits) : "",
           hidden ? "" : judgement.measured,
           hidden ? "" : std::string(name_of(judgement.verdict)),
+          shown_verdict(judgement, hidden).label,
           claim.basis,
           std::string(name_of(claim.expected_verdict)),
           claim.predicted_verdict ? std::string(name_of(*claim.predicted_verdict)) : "",
@@ -104,9 +106,10 @@ std::string csv_line(const Fields& fields) {
 
 std::string claims_csv(const JudgedRun& judged, bool without_varying) {
   std::string csv =
-      csv_line({"id", "paper", "topic", "locator", "kind", "text", "published", "unit", "digits",
-                "measured", "verdict", "basis", "expected_verdict", "predicted_verdict",
-                "difference", "erratum", "tier", "reason", "repeat"});
+      csv_line({"id",         "paper",     "topic", "locator",          "kind",
+                "text",       "published", "unit",  "digits",           "measured",
+                "verdict",    "row",       "basis", "expected_verdict", "predicted_verdict",
+                "difference", "erratum",   "tier",  "reason",           "repeat"});
   for (const JudgedPaper& paper : judged.papers)
     for (const Judgement& judgement : paper.judgements)
       csv += csv_line(claim_fields(*judgement.claim, judgement, without_varying && judgement.varies,

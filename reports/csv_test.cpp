@@ -199,6 +199,7 @@ TEST(ClaimsCsv, HoldsOneRowPerClaim) {
                                                                 {"digits", "1"},
                                                                 {"measured", "5"},
                                                                 {"verdict", "reproduced"},
+                                                                {"row", "reproduced"},
                                                                 {"basis", "paper"},
                                                                 {"expected_verdict", "reproduced"},
                                                                 {"predicted_verdict", ""},
@@ -209,9 +210,18 @@ TEST(ClaimsCsv, HoldsOneRowPerClaim) {
                                                                 {"repeat", ""}}));
   auto timed = row_of(csv, 2);
   EXPECT_EQ(timed["verdict"], "inconclusive");
+  EXPECT_EQ(timed["row"], "inconclusive");
   EXPECT_EQ(timed["expected_verdict"], "not reproduced");
   EXPECT_EQ(timed["predicted_verdict"], "underspecified");
   EXPECT_EQ(timed["repeat"], "phytobench run p/e --tier smoke --out results/again-p-e-smoke");
+}
+
+TEST(ClaimsCsv, NamesTheRowThatTheReportCountsAClaimIn) {
+  JudgedRun judged = small_judged_run();
+  judged.papers[0].claims.claims[0].basis = "fitted";
+  auto fitted = row_of(claims_csv(judged, false), 1);
+  EXPECT_EQ(fitted["verdict"], "reproduced");
+  EXPECT_EQ(fitted["row"], "reproduced, fitted");
 }
 
 TEST(ClaimsCsv, LeavesOutWhatRestsOnTimesOnRequest) {
@@ -220,6 +230,7 @@ TEST(ClaimsCsv, LeavesOutWhatRestsOnTimesOnRequest) {
   auto timed = row_of(claims_csv(judged, true), 2);
   EXPECT_EQ(timed["id"], "p/timed");
   EXPECT_EQ(timed["verdict"], "");
+  EXPECT_EQ(timed["row"], "left out: rests on times");
   EXPECT_EQ(timed["measured"], "");
   EXPECT_EQ(timed["reason"], "bounds") << "what the run found may differ in the next one";
 }

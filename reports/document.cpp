@@ -23,8 +23,20 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json run_part(const JudgedRun& judged, const ordered_json& environment,
-                      bool without_varying) {
+/// What tells each of several runs from the others; nothing of a single run.
+ordered_json merged_runs(const RunComparison* comparison) {
+  ordered_json runs = ordered_json::array();
+  if (!comparison) return runs;
+  for (const ComparedRun& run : comparison->runs)
+    runs.push_back({{"label", run.label},
+                    {"tier", name_of(run.contents.header.tier)},
+                    {"seed", run.contents.header.seed}});
+  return runs;
+}
+
+ordered_json run_part(const JudgedRun& judged, const DocumentSources& sources,
+                      const ordered_json& environment) {
+  const bool without_varying = sources.without_varying;
   const ClaimCounts counts = counts_of(judged, without_varying);
   ordered_json part{{"tier", name_of(judged.run.header.tier)},
                     {"seed", judged.run.header.seed},
@@ -47,8 +59,13 @@ ordered_json run_part(const JudgedRun& judged, const ordered_json& environment,
       counts.reproduced + counts.fitted + counts.with_erratum + counts.refuted;
   part["decided"] = decided;
   part["open"] = counts.claims - decided - counts.hidden;
+  part["runs"] = merged_runs(sources.comparison);
+  part["several"] = sources.comparison != nullptr;
+  part["run_count"] = part["runs"].size();
+  part["one_with_varying"] = !without_varying && !sources.comparison;
   if (without_varying) return part;
   part["date"] = environment.value("date_utc", "unknown date");
+  part["run_version"] = environment.value("suite_version", "unknown");
   part["commit"] = environment.value("commit", "unknown");
   part["source_changed"] = environment.value("source_changed", false);
   return part;
@@ -99,6 +116,12 @@ ordered_json studies_part(const JudgedRun& judged, const DocumentSources& source
   return studies;
 }
 
+/// Where the times come from.
+std::string times_line(const ordered_json& environment, const RunComparison* comparison) {
+  return comparison ? "The times of each experiment are of the first run that completed it."
+                    : machine_line(environment);
+}
+
 void add(ordered_json& document, const std::string& key, ordered_json part) {
   document["has_" + key] = !part.empty();
   document[key] = std::move(part);
@@ -112,8 +135,8 @@ ordered_json make_document(const JudgedRun& judged, const DocumentSources& sourc
   const Evidence evidence(judged.run);
   const ExperimentCosts costs(judged.run, sources.experiments, without_varying);
   ordered_json document;
-  document["run"] = run_part(judged, environment, without_varying);
-  document["summary"] = summary_document(judged, without_varying);
+  document["run"] = run_part(judged, sources, environment);
+  document["summary"] = summary_document(judged, sources.comparison, without_varying);
   document["counts"] = counts_document(judged, without_varying);
   add(document, "attention", attention_document(judged, without_varying));
   document["predictions"] = predictions_document(judged, without_varying);
@@ -125,11 +148,12 @@ ordered_json make_document(const JudgedRun& judged, const DocumentSources& sourc
                                             without_varying});
   add(document, "studies", studies_part(judged, sources));
   document["timing"] = timings_document(judged.run, without_varying);
-  document["timing"]["machine"] = without_varying ? "" : machine_line(environment);
+  document["timing"]["machine"] =
+      without_varying ? "" : times_line(environment, sources.comparison);
   add(document, "environment",
       without_varying ? ordered_json::array() : environment_rows(environment));
   document["limits"] = limits_document(judged, without_varying);
-  document["repeat"] = repeat_document(judged, costs, environment.value("command_line", ""));
+  document["repeat"] = repeat_document(judged, costs, sources.comparison);
   add(document, "unclaimed_groups", unclaimed_part(judged, without_varying));
   document["unclaimed"] = total_count(document["unclaimed_groups"]);
   for (const char* slot : {"comparison", "validation"})

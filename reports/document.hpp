@@ -8,6 +8,7 @@
 
 #include "reports/document_costs.hpp"
 #include "reports/judge/judged_run.hpp"
+#include "reports/judge/run_comparison.hpp"
 #include "reports/run_figures.hpp"
 
 namespace phytobench {
@@ -22,6 +23,7 @@ struct DocumentSources {
   bool without_varying = false;
   std::map<std::string, std::string> plot_data = {};  ///< numbers of plots: artifact name -> CSV
   std::map<std::string, ExperimentFacts> experiments = {};  ///< by id; what is absent is not known
+  const RunComparison* comparison = nullptr;                ///< of a merged run
 };
 
 /// The one document model: everything a report says, ready for the templates. The templates only

@@ -59,19 +59,13 @@ void add_text(ordered_json& part, const std::string& key, const std::string& tex
   part["has_" + key] = !text.empty();
 }
 
-/// A published text that names its unit keeps to that.
-std::string with_unit(const std::string& published, const std::string& unit) {
-  const bool needs_none =
-      published.empty() || unit.empty() || unit == "1" || published.find(unit) != std::string::npos;
-  return needs_none ? published : published + " " + unit;
-}
-
 void add_prediction(ordered_json& part, const Judgement& judgement, bool hidden) {
   const Claim& claim = *judgement.claim;
   const auto predicted = claim.predicted_verdict;
   add_text(part, "predicted", predicted ? std::string(name_of(*predicted)) : "");
   part["differs"] = predicted && !hidden && !lacks_evidence(judgement) &&
-                    claim.missing_model.empty() && judgement.verdict != *predicted;
+                    claim.missing_model.empty() && judgement.verdict != Verdict::inconclusive &&
+                    judgement.verdict != *predicted;
   add_text(part, "difference", claim.difference);
   add_text(part, "machine_dependence", claim.machine_dependence);
   add_text(part, "missing_model", claim.missing_model);
@@ -97,6 +91,13 @@ void add_assumptions(ordered_json& part, const Claim& claim, const ClaimContext&
 }
 
 }  // namespace
+
+std::string published_with_unit(const Claim& claim) {
+  const std::string &published = claim.published, &unit = claim.unit;
+  const bool needs_none = published.empty() || published == "-" || unit.empty() || unit == "1" ||
+                          published.find(unit) != std::string::npos;
+  return needs_none ? published : published + " " + unit;
+}
 
 std::string verdict_class(Verdict verdict) {
   return slug(name_of(verdict));
@@ -125,7 +126,7 @@ ordered_json claim_brief(const Judgement& judgement, bool without_varying) {
   const std::string published = claim.published == "-" ? "" : claim.published;
   add_text(part, "published", published);
   part["unit"] = claim.unit == "1" ? "" : claim.unit;
-  part["published_text"] = with_unit(published, claim.unit);
+  part["published_text"] = published.empty() ? "" : published_with_unit(claim);
   part["verdict"] = shown.hidden ? left_out_row : name_of(judgement.verdict);
   part["label"] = shown.label;
   part["class"] = shown.look;
@@ -150,7 +151,8 @@ ordered_json claim_document(const Judgement& judgement, const ClaimContext& cont
   part["erratum_anchor"] = erratum_anchor(claim.paper, claim.erratum);
   add_assumptions(part, claim, context);
   add_text(part, "measured", hidden ? left_out_row : judgement.measured);
-  add_text(part, "agreement", shown_agreement(claim, context.evidence));
+  const std::string agreement = shown_agreement(claim, context.evidence);
+  add_text(part, "agreement", judgement.contradicted ? "" : agreement);  // it is of one run only
   add_repeat(part, claim, context);
   part["checks"] = ordered_json::array();
   if (!hidden)

@@ -28,6 +28,9 @@ struct ShownVerdict {
 
 ShownVerdict shown_verdict(const Judgement& judgement, bool without_varying);
 
+/// The published text with its unit, unless the text names that itself or is "-".
+std::string published_with_unit(const Claim& claim);
+
 /// A verdict, or the row in which it is counted, as a CSS class.
 std::string verdict_class(Verdict verdict);
 std::string row_class(const VerdictRow& row);

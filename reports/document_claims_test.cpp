@@ -52,6 +52,22 @@ TEST(ClaimDocument, NamesTheUnitOnce) {
   EXPECT_EQ(of.document()["has_published"], false);
 }
 
+TEST(ClaimDocument, SeesTheUnitInItsPlural) {
+  OneClaim of;
+  of.claim.published = "180 and 120 degrees";
+  of.claim.unit = "degree";
+  EXPECT_EQ(of.document()["published_text"], "180 and 120 degrees");
+}
+
+TEST(ClaimDocument, HasNoAgreementOfOneRunWhereRunsDisagree) {
+  OneClaim of;
+  of.claim.checks = {{.terms = {{"b/x/edges"}}, .equals = 5200.0}};
+  of.run.records = {{.experiment = "b/x", .measurement = "b/x/edges", .value = std::int64_t{5200}}};
+  EXPECT_EQ(of.document()["agreement"], "all digits");
+  of.judgement.contradicted = true;
+  EXPECT_EQ(of.document()["agreement"], "");
+}
+
 TEST(ClaimDocument, ShowsEvidenceTermByTerm) {
   const auto check = OneClaim().document()["checks"][0];
   EXPECT_EQ(check["term_count"], 2);
@@ -87,6 +103,8 @@ TEST(ClaimDocument, DiffersFromItsPredictionOnlyWhereSomethingWasFound) {
   EXPECT_EQ(of.document()["differs"], false);
   of.claim.predicted_verdict = Verdict::not_reproduced;
   EXPECT_EQ(of.document()["differs"], true);
+  of.judgement.verdict = Verdict::inconclusive;
+  EXPECT_EQ(of.document()["differs"], false);
   of.judgement.verdict = Verdict::not_measured;
   EXPECT_EQ(of.document()["differs"], false);
 }

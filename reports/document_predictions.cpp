@@ -41,6 +41,10 @@ class PredictionsDocument {
     ordered_json document{{"predicted", total_of(predicted_)},
                           {"same", same_},
                           {"differ", differences_.size()},
+                          {"undecided", undecided_},
+                          {"fixed", total_of(fixed_)},
+                          {"fixed_same", fixed_same_},
+                          {"fixed_differ", fixed_differences_.size()},
                           {"not_seen", total_of(not_seen_)},
                           {"not_built", total_of(not_built_)},
                           {"unpredicted", unpredicted_},
@@ -49,6 +53,8 @@ class PredictionsDocument {
                           {"rows", ordered_json::array()},
                           {"differences", differences_},
                           {"has_differences", !differences_.empty()},
+                          {"fixed_differences", fixed_differences_},
+                          {"has_fixed_differences", !fixed_differences_.empty()},
                           {"waiting", waiting()},
                           {"has_waiting", !waiting_.empty()}};
     for (const Verdict found : all_verdicts)
@@ -72,6 +78,8 @@ class PredictionsDocument {
       ++not_seen_[predicted];
     else if (!claim.missing_model.empty())
       add_waiting(claim, predicted);
+    else if (claim.fixed_verdict)
+      add_fixed(judgement, predicted);
     else
       add_found(judgement, predicted);
   }
@@ -82,31 +90,47 @@ class PredictionsDocument {
         {{"anchor", claim_anchor(claim.id)}, {"short_id", short_claim_id(claim.id)}});
   }
 
+  /// Verdict and prediction stand side by side in the claim's file: no run can confirm either.
+  void add_fixed(const Judgement& judgement, Verdict predicted) {
+    ++fixed_[predicted];
+    if (judgement.verdict == predicted)
+      ++fixed_same_;
+    else
+      fixed_differences_.push_back(difference(judgement, predicted));
+  }
+
   void add_found(const Judgement& judgement, Verdict predicted) {
     ++found_[judgement.verdict];
     ++cells_[predicted][judgement.verdict];
-    if (judgement.verdict == predicted) {
+    if (judgement.verdict == Verdict::inconclusive)
+      ++undecided_;
+    else if (judgement.verdict == predicted)
       ++same_;
-      return;
-    }
+    else
+      differences_.push_back(difference(judgement, predicted));
+  }
+
+  ordered_json difference(const Judgement& judgement, Verdict predicted) const {
     ordered_json difference = claim_brief(judgement, without_varying_);
     difference["predicted_class"] = verdict_class(predicted);
-    differences_.push_back(std::move(difference));
+    return difference;
   }
 
   ordered_json row(Verdict predicted) const {
     ordered_json row{{"predicted", name_of(predicted)},
                      {"class", verdict_class(predicted)},
                      {"cells", ordered_json::array()},
+                     {"fixed", count_in(fixed_, predicted)},
                      {"not_seen", count_in(not_seen_, predicted)},
                      {"not_built", count_in(not_built_, predicted)},
                      {"total", count_in(predicted_, predicted)}};
     const auto cells = cells_.find(predicted);
     for (const auto& [found, any] : found_) {
       const std::size_t count = cells == cells_.end() ? 0 : count_in(cells->second, found);
+      const bool decided = found != Verdict::inconclusive && count > 0;
       row["cells"].push_back({{"count", count},
-                              {"same", found == predicted && count > 0},
-                              {"other", found != predicted && count > 0}});
+                              {"same", decided && found == predicted},
+                              {"other", decided && found != predicted}});
     }
     return row;
   }
@@ -119,10 +143,10 @@ class PredictionsDocument {
   }
 
   bool without_varying_;
-  Counts predicted_, not_seen_, not_built_, found_;
+  Counts predicted_, not_seen_, not_built_, found_, fixed_;
   std::map<Verdict, Counts> cells_;  ///< by predicted, then found verdict
-  std::size_t same_ = 0, unpredicted_ = 0;
-  ordered_json differences_ = ordered_json::array();
+  std::size_t same_ = 0, undecided_ = 0, fixed_same_ = 0, unpredicted_ = 0;
+  ordered_json differences_ = ordered_json::array(), fixed_differences_ = ordered_json::array();
   std::map<std::string, ordered_json> waiting_;  ///< claims by the model they wait for
 };
 

@@ -76,5 +76,28 @@ TEST(Predictions, TellNothingOfAHiddenVerdict) {
   EXPECT_EQ(document["not_seen"], 2);
 }
 
+TEST(Predictions, CountWhatNoRunDecidesApart) {
+  FiveClaims claims;
+  Claim fixed = predicted_claim("b/fixed", Verdict::not_measured);
+  Claim reread = predicted_claim("b/reread", Verdict::reproduced);
+  fixed.fixed_verdict = reread.fixed_verdict = Verdict::not_measured;
+  Claim noisy = predicted_claim("b/noisy", Verdict::reproduced);
+  for (const Claim* claim : {&fixed, &reread})
+    claims.judged.papers[0].judgements.push_back(
+        {.claim = claim, .verdict = Verdict::not_measured});
+  claims.judged.papers[0].judgements.push_back({.claim = &noisy, .verdict = Verdict::inconclusive});
+  const auto document = predictions_document(claims.judged, false);
+  EXPECT_EQ(document["same"], 1);
+  EXPECT_EQ(document["differ"], 1);
+  EXPECT_EQ(document["undecided"], 1);
+  EXPECT_EQ(document["fixed"], 2);
+  EXPECT_EQ(document["fixed_same"], 1);
+  ASSERT_EQ(document["fixed_differences"].size(), 1u);
+  EXPECT_EQ(document["fixed_differences"][0]["id"], "b/reread");
+  EXPECT_EQ(document["rows"][0]["predicted"], "reproduced");
+  EXPECT_EQ(document["rows"][0]["fixed"], 1);
+  EXPECT_EQ(document["rows"][0]["cells"][1]["other"], false) << "noise differs from nothing";
+}
+
 }  // namespace
 }  // namespace phytobench

@@ -36,6 +36,7 @@ void count(ClaimCounts& counts, const Judgement& judgement, bool without_varying
     return;
   }
   counts.unexpected += judgement.is_unexpected();
+  counts.contradicted += judgement.contradicted;
   if (is_fitted(judgement)) {
     ++counts.fitted;
     return;
@@ -58,6 +59,23 @@ std::string works_of(const JudgedRun& judged) {
     works += fmt::format("{}{} ({})", works.empty() ? "" : " and ", paper.paper.author,
                          paper.paper.year);
   return works;
+}
+
+std::string run_text(const RunContents& run, bool timed) {
+  return fmt::format(
+      "{} at tier {} with seed {}: {}{}", counted(run.complete_experiments.size(), "experiment"),
+      name_of(run.header.tier), run.header.seed, counted(run.records.size(), "measurement"),
+      timed ? fmt::format(" and {}", counted(run.timings.size(), "timing")) : "");
+}
+
+std::string runs_text(const RunComparison& comparison) {
+  std::string text = fmt::format("{} runs, see below", comparison.runs.size());
+  for (std::size_t run = 0; run < comparison.runs.size(); ++run) {
+    const RunHeader& header = comparison.runs[run].contents.header;
+    text += fmt::format("{} {} (tier {}, seed {})", run == 0 ? ":" : ";",
+                        comparison.runs[run].label, name_of(header.tier), header.seed);
+  }
+  return text;
 }
 
 std::string found_text(const ClaimCounts& counts) {
@@ -91,12 +109,15 @@ std::string predicted_text(const ordered_json& predictions, const ClaimCounts& c
   if (predictions["predicted"] != 0)
     text = fmt::format(
         "Verdicts were derived from the texts before anything was built. Of those that this run "
-        "could decide, {} as predicted and {} otherwise.",
-        counted(same, "was found", "were found"), differ);
-  return text + fmt::format(" {} from what this version of the suite expects.",
-                            counts.unexpected == 0
-                                ? "None differs"
-                                : counted(counts.unexpected, "differs", "differ"));
+        "decided, {} as predicted and {} otherwise; {} a verdict that the text alone fixes.",
+        counted(same, "was found", "were found"), differ,
+        counted(predictions["fixed"].get<std::size_t>(), "more has", "more have"));
+  text += fmt::format(
+      " {} from what this version of the suite expects",
+      counts.unexpected == 0 ? "None differs" : counted(counts.unexpected, "differs", "differ"));
+  if (counts.contradicted > 0)
+    text += fmt::format("; on {} the runs disagree", counted(counts.contradicted, "claim"));
+  return text + ".";
 }
 
 /// One row of the counts; `belongs` says which judgements it counts.
@@ -130,10 +151,10 @@ ClaimCounts counts_of(const JudgedRun& judged, bool without_varying) {
   return counts;
 }
 
-ordered_json summary_document(const JudgedRun& judged, bool without_varying) {
+ordered_json summary_document(const JudgedRun& judged, const RunComparison* comparison,
+                              bool without_varying) {
   const ClaimCounts counts = counts_of(judged, without_varying);
   const ordered_json predictions = predictions_document(judged, without_varying);
-  const RunHeader& header = judged.run.header;
   const bool timed = !without_varying && !judged.run.timings.empty();
   const bool varies = counts.vary && !without_varying;
   ordered_json lines = ordered_json::array();
@@ -142,14 +163,11 @@ ordered_json summary_document(const JudgedRun& judged, bool without_varying) {
   };
   add("Asked",
       fmt::format("Do the {} of {} hold when the models are built again from the text and run?",
-                  counted(counts.claims, "checkable claim"), works_of(judged)),
+                  counted(counts.claims, "claim"), works_of(judged)),
       false);
   add("Run",
-      fmt::format("{} at tier {} with seed {}: {}{}. {} of the claims had a measurement.",
-                  counted(judged.run.complete_experiments.size(), "experiment"),
-                  name_of(header.tier), header.seed,
-                  counted(judged.run.records.size(), "measurement"),
-                  timed ? fmt::format(" and {}", counted(judged.run.timings.size(), "timing")) : "",
+      fmt::format("{}. {} of the claims had a measurement.",
+                  comparison ? runs_text(*comparison) : run_text(judged.run, timed),
                   counts.measured),
       timed);
   add("Found", found_text(counts), varies);

@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "reports/judge/judged_run.hpp"
+#include "reports/judge/run_comparison.hpp"
 
 namespace phytobench {
 
@@ -11,14 +12,16 @@ namespace phytobench {
 struct ClaimCounts {
   std::size_t claims = 0, measured = 0, reproduced = 0, fitted = 0, with_erratum = 0, refuted = 0;
   std::size_t inconclusive = 0, not_seen = 0, without_model = 0, undecidable = 0, hidden = 0;
-  std::size_t unexpected = 0;
-  bool vary = false;  ///< some verdict rests on times
+  std::size_t unexpected = 0, contradicted = 0;  ///< contradicted: by another of several runs
+  bool vary = false;                             ///< some verdict rests on times
 };
 
 ClaimCounts counts_of(const JudgedRun& judged, bool without_varying);
 
 /// What was asked and what was found, in five lines: term and text.
-nlohmann::ordered_json summary_document(const JudgedRun& judged, bool without_varying);
+/// `comparison`: of a merged run, else null.
+nlohmann::ordered_json summary_document(const JudgedRun& judged, const RunComparison* comparison,
+                                        bool without_varying);
 
 /// Claims by verdict: in all, by basis and by work. A hidden claim has a row of its own.
 nlohmann::ordered_json counts_document(const JudgedRun& judged, bool without_varying);

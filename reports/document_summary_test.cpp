@@ -58,12 +58,35 @@ std::size_t total_of(const nlohmann::ordered_json& counts, std::string_view row)
 }
 
 TEST(Summary, SaysInFiveLinesWhatWasAskedAndFound) {
-  const auto lines = summary_document(ManyVerdicts().judged, false);
+  const auto lines = summary_document(ManyVerdicts().judged, nullptr, false);
   ASSERT_EQ(lines.size(), 5u);
-  EXPECT_THAT(lines[0]["text"].get<std::string>(), HasSubstr("7 checkable claims of Ada (1999)"));
+  EXPECT_THAT(lines[0]["text"].get<std::string>(), HasSubstr("7 claims of Ada (1999)"));
   EXPECT_THAT(lines[2]["text"].get<std::string>(), HasSubstr("2 claims are reproduced"));
   EXPECT_THAT(lines[2]["text"].get<std::string>(), HasSubstr("1 more with a parameter"));
   EXPECT_THAT(lines[3]["text"].get<std::string>(), HasSubstr("1 waits for a model"));
+}
+
+TEST(Summary, SaysWhatTheTextAloneFixesApartFromWhatTheRunDecided) {
+  ManyVerdicts of;
+  Claim vague = claim_of("b/vague", "paper", Verdict::underspecified);
+  vague.fixed_verdict = vague.predicted_verdict = Verdict::underspecified;
+  of.holds.predicted_verdict = Verdict::reproduced;
+  of.judged.papers[0].judgements.push_back({.claim = &vague, .verdict = Verdict::underspecified});
+  EXPECT_THAT(summary_document(of.judged, nullptr, false)[4]["text"].get<std::string>(),
+              HasSubstr("decided, 1 was found as predicted and 0 otherwise; 1 more has a verdict"));
+}
+
+TEST(Summary, TellsSeveralRunsApart) {
+  ManyVerdicts of;
+  of.judged.papers[0].judgements[3].contradicted = true;
+  RunComparison comparison;
+  comparison.runs = {{"GCC", {}}, {"Clang", {}}};
+  comparison.runs[0].contents.header = {Tier::quick, 1};
+  comparison.runs[1].contents.header = {Tier::full, 2};
+  const auto lines = summary_document(of.judged, &comparison, false);
+  EXPECT_THAT(lines[1]["text"].get<std::string>(),
+              HasSubstr("2 runs, see below: GCC (tier quick, seed 1); Clang (tier full, seed 2)."));
+  EXPECT_THAT(lines[4]["text"].get<std::string>(), HasSubstr("on 1 claim the runs disagree."));
 }
 
 TEST(Counts, GiveEachClaimToOneRow) {

@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/contract/text_file.hpp"
+#include "reference/data_folder.hpp"
+#include "reports/render_template.hpp"
+
 namespace phytobench {
 namespace {
 
@@ -36,12 +40,11 @@ struct PartialRun {
   }
 
   ordered_json document() const {
-    return make_document(
-        judged, {.environment_json = R"({"command_line": "phytobench run b/* --out here"})",
-                 .run_folder = "here",
-                 .pictures = {{"b/x/drawn.svg", "<svg aria-label=\"Drawn\"/>"}},
-                 .photographs = {},
-                 .plots = {}});
+    return make_document(judged, {.environment_json = R"({"suite_version": "0.0.9"})",
+                                  .run_folder = "here",
+                                  .pictures = {{"b/x/drawn.svg", "<svg aria-label=\"Drawn\"/>"}},
+                                  .photographs = {},
+                                  .plots = {}});
   }
 };
 
@@ -71,9 +74,49 @@ TEST(Document, CountsFittedVerdictsApartFromPlainOnes) {
   EXPECT_EQ(rows[1]["total"], 1);
 }
 
-TEST(Document, RepeatsTheSelectionOfTheRun) {
-  EXPECT_EQ(PartialRun().document()["repeat"]["run"],
-            "phytobench run 'b/*' --tier smoke --seed 3 --out results/again");
+TEST(Document, RepeatsWhatTheRunHolds) {
+  EXPECT_EQ(PartialRun().document()["repeat"]["runs"][0],
+            "phytobench run b/x --tier smoke --seed 3 --out results/again");
+}
+
+std::string head_of(const ordered_json& document) {
+  return render_template(read_text_file(data_folder() / "templates" / "html" / "header.mustache"),
+                         document, EscapeFor::html);
+}
+
+TEST(Document, TellsTheProgramThatRanFromTheOneThatReports) {
+  const ordered_json run = PartialRun().document()["run"];
+  EXPECT_EQ(run["run_version"], "0.0.9");
+  EXPECT_NE(run["version"], "0.0.9");
+  EXPECT_EQ(run["several"], false);
+  EXPECT_NE(head_of({{"run", run}}).find("run by phytobench 0.0.9, commit"), std::string::npos);
+}
+
+TEST(Document, NamesEachOfSeveralRuns) {
+  PartialRun merged;
+  RunComparison comparison;
+  comparison.runs = {{"GCC", {}}, {"Clang", {}}};
+  comparison.runs[1].contents.header = {Tier::full, 2};
+  const ordered_json document = make_document(merged.judged, {.environment_json = "{}",
+                                                              .run_folder = "here",
+                                                              .pictures = {},
+                                                              .photographs = {},
+                                                              .plots = {},
+                                                              .comparison = &comparison});
+  EXPECT_EQ(document["timing"]["machine"],
+            "The times of each experiment are of the first run that completed it.");
+  const ordered_json& run = document["run"];
+  EXPECT_EQ(run["several"], true);
+  EXPECT_EQ(run["one_with_varying"], false) << "date and commit are of the first run only";
+  ASSERT_EQ(run["runs"].size(), 2u);
+  EXPECT_EQ(run["runs"][1]["label"], "Clang");
+  EXPECT_EQ(run["runs"][1]["tier"], "full");
+  EXPECT_EQ(run["runs"][1]["seed"], 2);
+  const std::string head = head_of({{"run", run}});
+  EXPECT_NE(head.find("see below</a>: GCC (tier quick, seed 0); Clang (tier full, seed 2);"),
+            std::string::npos)
+      << head;
+  EXPECT_EQ(head.find("run by phytobench"), std::string::npos);
 }
 
 TEST(Document, ShowsFiguresInTheirWorkAlone) {

@@ -52,7 +52,7 @@ ordered_json certified_rows(const Validation& validation) {
          {"several", answer.answers > 1},
          {"answers", answer.answers},
          {"function", words(answer.function)},
-         {"unused", answer.is_counter_example},
+         {"unused", answer.is_counter_example || answer.is_unused},
          {"certified", fmt::format("{:.15g}", answer.certified)},
          {"computed", fmt::format("{:.15g}", answer.computed)},
          {"digits", shown_digits(answer.digits)},
@@ -60,21 +60,31 @@ ordered_json certified_rows(const Validation& validation) {
   return rows;
 }
 
-/// The fewest digits of what the suite uses, and where.
+/// The fewest digits of what the suite uses, and where; what nothing rests on is counted apart.
 std::string certified_summary(const Validation& validation) {
   const CertifiedAnswer* least = nullptr;
-  std::int64_t answers = 0;
+  std::int64_t answers = 0, unused = 0;
   for (const CertifiedAnswer& answer : validation.certified) {
     if (answer.is_counter_example) continue;
-    answers += answer.answers;
+    (answer.is_unused ? unused : answers) += answer.answers;
+    if (answer.is_unused) continue;
     // Digits that the data have lost as doubles are no fault of the program.
     if (answer.reachable && *answer.reachable <= answer.digits) continue;
     if (!least || answer.digits < least->digits) least = &answer;
   }
-  if (!least) return "";
-  return fmt::format(
-      "Of {} answers, those with the fewest digits that the data would allow agree in {} ({}, {}).",
-      answers, shown_digits(least->digits), set_name(least->set), words(least->statistic));
+  std::string text;
+  if (least)
+    text = fmt::format(
+        "Of {} answers of functions that verdicts or experiments use, those with the fewest digits "
+        "that the data would allow agree in {} ({}, {}).",
+        answers, shown_digits(least->digits), set_name(least->set), words(least->statistic));
+  if (unused > 0)
+    text += fmt::format(
+        "{}{} of functions that nothing else in the suite uses: no verdict rests "
+        "on them.",
+        text.empty() ? "" : " ",
+        counted(static_cast<std::size_t>(unused), "more answer is", "more answers are"));
+  return text;
 }
 
 ordered_json exact_rows(const Validation& validation) {

@@ -21,7 +21,8 @@ Validation example() {
                            .certified = 0.1,
                            .computed = 0.1000000005,
                            .digits = 8.2,
-                           .reachable = 8.2},
+                           .reachable = 8.2,
+                           .is_unused = true},
                           {.set = "wampler_2",
                            .statistic = "coefficient",
                            .function = "polynomial_regression",
@@ -58,10 +59,13 @@ Validation example() {
 TEST(ValidationDocument, NamesTheWorstThatIsNoFaultOfTheData) {
   const ordered_json document = validation_document(example(), false);
   const auto summary = document["certified_summary"].get<std::string>();
-  EXPECT_NE(summary.find("Of 7 answers"), std::string::npos) << summary;
+  EXPECT_NE(summary.find("Of 6 answers of functions that"), std::string::npos) << summary;
   EXPECT_NE(summary.find("13.2 (Wampler2, coefficient)"), std::string::npos) << summary;
   EXPECT_EQ(document["certified"][0]["set"], "NumAcc4");
   EXPECT_EQ(document["certified"][0]["computed"], "0.1000000005");
+  EXPECT_NE(summary.find("1 more answer is of functions that nothing else"), std::string::npos);
+  EXPECT_EQ(document["certified"][0]["unused"], true);
+  EXPECT_EQ(document["certified"][1]["unused"], false);
   EXPECT_EQ(document["certified"][2]["unused"], true);
 }
 

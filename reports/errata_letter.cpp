@@ -35,6 +35,17 @@ std::string inputs_of(const CounterExample& example) {
   return text;
 }
 
+bool is_of_program(const Erratum& erratum) {
+  return erratum.kind == ErratumKind::program;
+}
+
+/// How sure an entry is, for a reader who does not know what is meant by the word.
+std::string confidence_of(const Erratum& erratum) {
+  if (erratum.confidence == "certain") return "certain";
+  if (is_of_program(erratum)) return "probable: the text may be meant less strictly";
+  return "probable: something seems wrong here, and the correction is our inference";
+}
+
 /// One letter, part after part.
 class Letter {
  public:
@@ -46,7 +57,9 @@ class Letter {
 
   std::string text() {
     add_head();
-    add_errata();
+    out_ += "## Where the text contradicts itself or leaves a case out\n\n";
+    add_errata(false);
+    add_differences_from_program();
     add_questions();
     out_ += confirmed_part(judged_, without_varying_);
     return out_;
@@ -55,47 +68,64 @@ class Letter {
  private:
   void add_head() {
     const Paper& paper = judged_.paper;
-    const auto certain = std::count_if(judged_.errata.begin(), judged_.errata.end(),
-                                       [](const Erratum& e) { return e.confidence == "certain"; });
+    const auto of_program =
+        std::count_if(judged_.errata.begin(), judged_.errata.end(), is_of_program);
+    const auto certain = std::count_if(
+        judged_.errata.begin(), judged_.errata.end(),
+        [](const Erratum& e) { return e.confidence == "certain" && !is_of_program(e); });
     out_ += fmt::format("# Notes on \"{}\"\n\n", with_literal_markdown(paper.title));
     out_ += fmt::format("{}, {}, {}.\n\n", with_literal_markdown(paper.author), paper.year,
                         with_literal_markdown(paper.kind));
     out_ += fmt::format(
         "The models of this work were built again from its text, and its statements were tested "
         "one by one. These notes say where the text contradicts itself or leaves a case out ({}, "
-        "of which {} are certain), where it can be read in more than one way ({}), and what was "
+        "of which {} are certain),{} where it can be read in more than one way ({}), and what was "
         "confirmed. They use the numbering of the work, name its statements in other words than "
-        "its own, and can be read and checked without the program that they come from. In "
+        "its own, and can be read and checked without the software that they come from. In "
         "formulas x^2 is a power, sqrt a root, |x| a length or an absolute value, and Greek "
         "letters are written out.\n\n",
-        judged_.errata.size(), certain, judged_.assumptions.size());
+        std::ssize(judged_.errata) - of_program, certain,
+        of_program == 0
+            ? ""
+            : fmt::format(" where it differs from the published program ({}),", of_program),
+        judged_.assumptions.size());
   }
 
-  void add_errata() {
-    out_ += "## Where the text contradicts itself or leaves a case out\n\n";
-    if (judged_.errata.empty()) out_ += "Nothing was found.\n\n";
+  /// Those of the program, or all others, in the order of the work.
+  void add_errata(bool of_program) {
     std::vector<const Erratum*> in_order;
-    for (const Erratum& erratum : judged_.errata) in_order.push_back(&erratum);
+    for (const Erratum& erratum : judged_.errata)
+      if (is_of_program(erratum) == of_program) in_order.push_back(&erratum);
+    if (in_order.empty()) out_ += "Nothing was found.\n\n";
     std::stable_sort(in_order.begin(), in_order.end(), [](const Erratum* a, const Erratum* b) {
       return section_is_before(a->section, b->section);
     });
     for (const Erratum* erratum : in_order) add_erratum(*erratum);
   }
 
+  void add_differences_from_program() {
+    if (std::none_of(judged_.errata.begin(), judged_.errata.end(), is_of_program)) return;
+    out_ +=
+        "## Where the text differs from the published program\n\nThese places are sound as "
+        "printed, but the plants of the work are grown otherwise: with the parameters that its "
+        "author published they come out, count for count, only as told here.\n\n";
+    add_errata(true);
+  }
+
   void add_erratum(const Erratum& erratum) {
     out_ += fmt::format("### {}: {}\n\n", erratum.id, place_of(erratum));
     add_point("Printed", with_literal_markdown(erratum.printed));
-    add_point("Corrected", with_literal_markdown(erratum.corrected));
-    if (erratum.counter_example) add_example(*erratum.counter_example);
+    add_point(is_of_program(erratum) ? "In the program" : "Corrected",
+              with_literal_markdown(erratum.corrected));
+    if (erratum.counter_example)
+      add_example(*erratum.counter_example,
+                  is_of_program(erratum) ? "in the program" : "corrected");
     add_point("What follows", as_sentence(erratum.consequence));
-    if (const std::string verdicts = verdicts_of(erratum.claims); !verdicts.empty())
+    if (const std::string verdicts = verdicts_of(erratum); !verdicts.empty())
       add_point("Statements of the work that it concerns", verdicts);
     if (!erratum.check.empty()) add_point("To check it", as_sentence(erratum.check));
     if (erratum.kind) add_point("Kind", name_of(*erratum.kind));
-    add_point("Confidence", erratum.confidence == "certain"
-                                ? "certain"
-                                : "probable: something is wrong here; that this is what was meant "
-                                  "is our inference");
+    add_point("Confidence", confidence_of(erratum));
     out_ += '\n';
   }
 
@@ -111,27 +141,29 @@ class Letter {
     return place;
   }
 
-  void add_example(const CounterExample& example) {
+  void add_example(const CounterExample& example, const char* other_form) {
     const std::string printed =
         example.printed ? number_text(*example.printed) : std::string("no value");
     const std::string result = example.result.empty() ? "result" : example.result;
     add_point("Example",
               with_literal_markdown(fmt::format("{}. Sought: {}.", inputs_of(example), result)) +
-                  fmt::format(" As printed: **{}**; corrected: **{}**. ", printed,
+                  fmt::format(" As printed: **{}**; {}: **{}**. ", printed, other_form,
                               number_text(example.corrected)) +
                   as_sentence(example.why));
   }
 
   /// The named claims with their verdicts, "holds with the correction: ...", one a line.
-  std::string verdicts_of(const std::vector<std::string>& claims) const {
+  std::string verdicts_of(const Erratum& erratum) const {
     std::string text;
-    for (const std::string& id : claims) {
+    for (const std::string& id : erratum.claims) {
       const auto found = judgements_.find(id);
       if (found == judgements_.end()) continue;
-      text += fmt::format(
-          "\n  - {} *({})*",
-          as_sentence(found->second->claim->locator + ": " + found->second->claim->text),
-          plain_verdict(*found->second, without_varying_));
+      const Claim& claim = *found->second->claim;
+      std::string verdict = plain_verdict(*found->second, without_varying_);
+      if (is_of_program(erratum) && verdict == "holds with the correction")
+        verdict = "holds for the program";
+      text +=
+          fmt::format("\n  - {} *({})*", as_sentence(claim.locator + ": " + claim.text), verdict);
     }
     return text;
   }

@@ -19,16 +19,17 @@ struct Saying {
   std::string_view of_one, of_several;
   bool decided = false;
 };
-constexpr std::array<Saying, 12> sayings{{
+constexpr std::array<Saying, 13> sayings{{
     {"holds as it stands", "hold as they stand", true},
     {"holds with values that its author published elsewhere",
      "hold with values that their author published elsewhere", true},
     {"holds under our reading", "hold under our reading of a question above", true},
-    {"holds with the correction", "hold with a correction of the first part", true},
+    {"holds with the correction", "hold in another form than the printed one, given above", true},
     {"holds with a value chosen to meet it", "hold with a value that was chosen to meet them",
      true},
     {"does not hold", "do not hold", true},
     {"could not be decided", "could not be decided: noise, or too few runs", false},
+    {"could not be decided: the runs disagree", "could not be decided: the runs disagree", false},
     {"cannot be checked: too little is printed", "cannot be checked: too little is printed", false},
     {"cannot be compared: seconds of another machine",
      "cannot be compared: seconds of another machine", false},
@@ -61,7 +62,11 @@ std::string refuted_list(const JudgedPaper& judged, bool without_varying) {
     const Claim& claim = *judgement.claim;
     text += fmt::format("- {}: {}", with_literal_markdown(claim.locator),
                         with_literal_markdown(claim.text));
-    if (!claim.published.empty() && claim.published != "-")
+    constexpr std::string_view derived = "derived: ";
+    if (claim.published.starts_with(derived))
+      text += fmt::format(" Follows from print: {}.",
+                          with_literal_markdown(claim.published.substr(derived.size())));
+    else if (!claim.published.empty() && claim.published != "-")
       text += fmt::format(" Printed: {}.", with_literal_markdown(claim.published));
     constexpr std::size_t longest_found = 60;  // beyond it is a table of numbers
     if (!judgement.measured.empty() && judgement.measured.size() <= longest_found)
@@ -83,7 +88,8 @@ std::string plain_verdict(const Judgement& judgement, bool without_varying) {
     case Verdict::not_reproduced:
       return "does not hold";
     case Verdict::inconclusive:
-      return "could not be decided";
+      return judgement.contradicted ? "could not be decided: the runs disagree"
+                                    : "could not be decided";
     case Verdict::underspecified:
       return "cannot be checked: too little is printed";
     case Verdict::not_comparable:

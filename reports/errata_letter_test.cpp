@@ -98,6 +98,39 @@ TEST(ErrataLetter, SaysWhereThePrintedFormHasNoValue) {
   EXPECT_THAT(errata_letter(small.work, false), HasSubstr("As printed: **no value**"));
 }
 
+TEST(ErrataLetter, DoesNotCorrectWhatOnlyTheProgramDoesOtherwise) {
+  SmallWork small;
+  EXPECT_THAT(errata_letter(small.work, false), Not(HasSubstr("program (")));
+  small.work.errata[1].kind = ErratumKind::program;
+  const std::string letter = errata_letter(small.work, false);
+  EXPECT_THAT(letter, HasSubstr("leaves a case out (1, of which 0 are certain), where it differs "
+                                "from the published program (1),"));
+  const std::size_t part = letter.find("## Where the text differs from the published program");
+  EXPECT_LT(letter.find("### E2: eq. 7"), part);
+  const std::string of_program = letter.substr(part, letter.find("## Where the text can") - part);
+  for (const char* line :
+       {"### E1: eq. 2", "**In the program:** n = V * rho", "in the program: **25298**",
+        "*(holds for the program)*", "**Confidence:** certain"})
+    EXPECT_THAT(of_program, HasSubstr(line));
+  EXPECT_THAT(of_program, Not(HasSubstr("orrected:")));
+}
+
+TEST(ErrataLetter, SaysOfProbableEntriesThatTheyAreInferred) {
+  SmallWork small;
+  EXPECT_THAT(errata_letter(small.work, false),
+              HasSubstr("probable: something seems wrong here, and the correction is our"));
+  small.work.errata[0].kind = ErratumKind::program;
+  EXPECT_THAT(errata_letter(small.work, false), HasSubstr("probable: the text may be meant less"));
+}
+
+TEST(ErrataLetter, TellsDerivedNumbersFromPrintedOnes) {
+  SmallWork small;
+  small.refuted.published = "derived: 18";
+  EXPECT_THAT(errata_letter(small.work, false), HasSubstr(" Follows from print: 18. Found"));
+  small.refuted.published = "18";
+  EXPECT_THAT(errata_letter(small.work, false), HasSubstr(" Printed: 18. Found"));
+}
+
 TEST(ErrataLetter, AsksQuestionsAndSaysWhatRestsOnThem) {
   const std::string letter = errata_letter(SmallWork().work, false);
   EXPECT_THAT(letter, HasSubstr("### A1: sec. 3\n\n- **Question:** Which one.\n"));
@@ -130,6 +163,17 @@ TEST(ErrataLetter, KnowsAPlainWordForEveryVerdict) {
       ASSERT_EQ(verdict_counts(one, false).size(), 1u) << name_of(verdict) << ", " << basis;
       EXPECT_EQ(verdict_counts(one, false)[0], "1 " + plain_verdict(judgement, false));
     }
+}
+
+TEST(ErrataLetter, DoesNotCallADisagreementNoise) {
+  const Claim claim = claim_of("w/a", "paper");
+  const Judgement noisy{.claim = &claim, .verdict = Verdict::inconclusive};
+  Judgement contradicted = noisy;
+  contradicted.contradicted = true;
+  const std::vector<const Judgement*> all = {&contradicted, &noisy, &contradicted};
+  EXPECT_THAT(
+      verdict_counts(all, false),
+      testing::ElementsAre("1 could not be decided", "2 could not be decided: the runs disagree"));
 }
 
 TEST(ErrataLetter, EscapesOnlyWhatMarkdownWouldTakeForMarkup) {

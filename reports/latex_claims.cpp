@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/document_claims.hpp"
 #include "reports/latex_files.hpp"
 #include "reports/latex_tables.hpp"
 #include "reports/latex_text.hpp"
@@ -10,8 +11,6 @@
 namespace phytobench {
 
 namespace {
-
-constexpr const char* left_out = "left out: rests on times";
 
 constexpr const char* table_head =
     R"(% Needs \usepackage{booktabs,longtable}. Written by phytobench.
@@ -49,22 +48,21 @@ std::string cell(const std::string& latex) {
   return R"(\raggedright )" + latex;
 }
 
-/// The published text with its unit, which it may hold already.
-std::string with_unit(const Claim& claim) {
-  const bool has_unit = claim.unit != "1" && !claim.unit.empty() && claim.published != "-" &&
-                        !claim.published.ends_with(claim.unit);
-  return latex_value(claim.published) + (has_unit ? latex_text(" " + claim.unit) : "");
+/// A number that is the whole published text is set as one; the unit follows it.
+std::string published_text(const Claim& claim) {
+  const std::string unit = published_with_unit(claim).substr(claim.published.size());
+  return latex_value(claim.published) + latex_text(unit);
 }
 
 std::string verdict_text(const Judgement& judgement, bool hidden) {
-  return hidden ? left_out : std::string(name_of(judgement.verdict));
+  return hidden ? left_out_row : std::string(name_of(judgement.verdict));
 }
 
 std::string claim_row(const Judgement& judgement, bool hidden) {
   const Claim& claim = *judgement.claim;
   return fmt::format("{} {} &\n{} & {} & {} & {} ({}) \\tabularnewline\n",
                      cell(latex_text(claim.text)), latex_id(claim.id),
-                     cell(latex_text(claim.locator)), cell(with_unit(claim)),
+                     cell(latex_text(claim.locator)), cell(published_text(claim)),
                      cell(hidden ? "" : latex_value(judgement.measured)),
                      cell(latex_text(verdict_text(judgement, hidden))), latex_text(claim.basis));
 }
@@ -75,7 +73,7 @@ std::string macro_line(const Judgement& judgement, bool hidden) {
   const std::string measured =
       hidden || judgement.measured.empty() ? "(" + verdict + ")" : latex_value(judgement.measured);
   return fmt::format("\\phytobench@set{{{}}}{{{}}}{{{}}}{{{}}}{{{}}}\n", claim.id, measured,
-                     with_unit(claim), verdict, latex_text(claim.basis));
+                     published_text(claim), verdict, latex_text(claim.basis));
 }
 
 std::string captioned(const std::string& file, const std::string& caption) {

@@ -122,6 +122,14 @@ TEST(LatexClaimMacros, DefineEveryClaim) {
   EXPECT_THAT(latex, HasSubstr(R"({p/timed}{2.1 {[}1.9, 2.3{]}}{2}{inconclusive}{assumed})"));
 }
 
+TEST(LatexClaimMacros, NameTheUnitOnce) {
+  SmallRun run;
+  Claim& claim = run.judged.papers[0].claims.claims[0];
+  claim.published = "180 and 120 degrees";
+  claim.unit = "degree";
+  EXPECT_THAT(latex_claim_macros(run.judged, false), HasSubstr("{180 and 120 degrees}"));
+}
+
 TEST(LatexClaimMacros, NeverStandForNothing) {
   SmallRun run;
   run.judged.papers[0].judgements[0].measured = "";

@@ -5,16 +5,14 @@
 #include <vector>
 
 #include "core/record/record.hpp"
+#include "core/record/run_files.hpp"
 #include "reference/claims.hpp"
 
 namespace phytobench {
 
-/// The experiments that a command line of `phytobench run` names, as ids and globs, quoted for a
-/// shell where needed; empty where it names none or is another command's.
-std::vector<std::string> selection_of(const std::string& command_line);
-
-/// A command that makes a run again. `selection` empty: all experiments.
-std::string repeat_run(const std::vector<std::string>& selection, Tier tier, std::uint64_t seed);
+/// A command that makes a run again, into that folder. `experiments` empty: all.
+std::string repeat_run(const std::vector<std::string>& experiments, const RunHeader& header,
+                       const std::string& folder);
 
 /// The experiments whose measurements a claim is judged on, each once, in the order of its checks.
 std::vector<std::string> experiments_of(const Claim& claim);

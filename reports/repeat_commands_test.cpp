@@ -10,30 +10,11 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(SelectionOf, KeepsIdsAndQuotesGlobs) {
-  EXPECT_THAT(selection_of("phytobench run p/a q/* --tier smoke --out results/x --resume r/b"),
-              ElementsAre("p/a", "'q/*'", "r/b"));
-  EXPECT_THAT(selection_of("phytobench run --tier=full --out=a/b --seed 3 --threads 2 p/a"),
-              ElementsAre("p/a"));
-}
-
-TEST(SelectionOf, IsEmptyForAWholeRunAndOtherCommands) {
-  EXPECT_THAT(selection_of("phytobench run --tier quick --out results/x"), IsEmpty());
-  EXPECT_THAT(selection_of("phytobench race p/a"), IsEmpty());
-  EXPECT_THAT(selection_of("phytobench"), IsEmpty());
-  EXPECT_THAT(selection_of(""), IsEmpty());
-  EXPECT_THAT(selection_of("phytobench run --out"), IsEmpty());
-}
-
-TEST(SelectionOf, TakesNoPartOfAPathWithSpaces) {
-  EXPECT_THAT(selection_of("phytobench run p/a --out my results"), ElementsAre("p/a"));
-}
-
-TEST(RepeatRun, NamesTheSelection) {
-  EXPECT_EQ(repeat_run({"'p/*'"}, Tier::smoke, 7),
-            "phytobench run 'p/*' --tier smoke --seed 7 --out results/again");
-  EXPECT_EQ(repeat_run({}, Tier::quick, 0),
-            "phytobench run --tier quick --seed 0 --out results/again");
+TEST(RepeatRun, NamesTheExperiments) {
+  EXPECT_EQ(repeat_run({"p/a", "p/b"}, {Tier::smoke, 7}, "results/again"),
+            "phytobench run p/a p/b --tier smoke --seed 7 --out results/again");
+  EXPECT_EQ(repeat_run({}, {Tier::quick, 0}, "results/again-2"),
+            "phytobench run --tier quick --seed 0 --out results/again-2");
 }
 
 TEST(RepeatExperiments, HasAFolderForEachExperimentAndTier) {

@@ -107,7 +107,8 @@ class FilesBuilder {
                                       .plots = plots_,
                                       .without_varying = options_.without_varying,
                                       .plot_data = bytes_of(input_.plot_data),
-                                      .experiments = options_.experiments});
+                                      .experiments = options_.experiments,
+                                      .comparison = comparison()});
     link_files(document, links_);
     if (comparison())
       add(document, "comparison",

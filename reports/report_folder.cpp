@@ -55,12 +55,8 @@ void remove_empty_folders(const fs::path& folder, fs::path name) {
     if (!fs::remove(folder / name, error)) return;
 }
 
-std::map<std::string, std::string> earlier_checksums(const fs::path& folder) {
-  std::error_code error;
-  const fs::path file = folder / checksums_name;
-  if (!fs::is_regular_file(file, error)) return {};
-  return checksums_in(read_text_file(file));
-}
+constexpr const char* verdicts_name = "verdicts.json";
+constexpr const char* verdicts_schema = "phytobench/verdicts-";
 
 /// Whether the file is still what an earlier report wrote.
 bool is_unchanged(const fs::path& file, const std::string& digest) {
@@ -71,6 +67,36 @@ bool is_unchanged(const fs::path& file, const std::string& digest) {
   } catch (const InputError&) {  // what cannot be read is nobody's to remove
     return false;
   }
+}
+
+/// Digests of the files that an earlier report wrote here; none if there was no report. Any program
+/// may leave checksums: only those count that name verdicts of ours, which every report has.
+std::map<std::string, std::string> earlier_checksums(const fs::path& folder) {
+  std::error_code error;
+  const fs::path file = folder / checksums_name;
+  if (!fs::is_regular_file(file, error)) return {};
+  auto digests = checksums_in(read_text_file(file));
+  const auto verdicts = digests.find(verdicts_name);
+  const bool ours = verdicts != digests.end() &&
+                    is_unchanged(folder / verdicts_name, verdicts->second) &&
+                    read_text_file(folder / verdicts_name).substr(0, 200).find(verdicts_schema) !=
+                        std::string::npos;
+  return ours ? digests : std::map<std::string, std::string>{};
+}
+
+/// A report replaces reports, nothing else.
+void refuse_files_of_others(const fs::path& folder,
+                            const std::map<std::string, std::string>& earlier,
+                            const ReportFiles& files) {
+  const auto refuse_if_there = [&](const std::string& name) {
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(folder / name, error))) return;
+    throw InputError(folder.string() + ": already holds " + name +
+                     ", which no report of ours wrote; move it or use another --out");
+  };
+  if (earlier.empty()) refuse_if_there(checksums_name);
+  for (const auto& [name, content] : files)
+    if (!earlier.contains(name)) refuse_if_there(name);
 }
 
 void remove_stale_files(const fs::path& folder, const std::map<std::string, std::string>& earlier,
@@ -137,6 +163,7 @@ std::map<std::string, std::string> checksums_in(std::string_view text) {
 void put_report(const fs::path& folder, ReportFiles files) {
   const SignalsWait wait;
   const auto earlier = earlier_checksums(folder);
+  refuse_files_of_others(folder, earlier, files);
   const std::vector<fs::path> made = missing_folders(folder, files);
   try {
     write_all(folder, files, checksum_lines(files));

@@ -23,8 +23,9 @@ std::map<std::string, std::string> checksums_in(std::string_view text);
 /// Makes the folder hold this report, SHA256SUMS with it. All files are written under temporary
 /// names before the first is renamed. A file of an earlier report that this one does not have is
 /// removed if the earlier SHA256SUMS names it and nobody changed it since; what else lies there
-/// stays. Signals that end the program wait until the report is whole. Throws EnvironmentError;
-/// what was there is unchanged then.
+/// stays, and a file of that name which no report wrote is an InputError. Signals that end the
+/// program wait until the report is whole. Throws EnvironmentError, too; what was there is
+/// unchanged then.
 void put_report(const std::filesystem::path& folder, ReportFiles files);
 
 }  // namespace phytobench

@@ -55,30 +55,40 @@ class ReportFolder : public testing::Test {
   fs::path root_;
 };
 
-const ReportFiles two_files = {{"index.html", "page"}, {"figures/a.svg", "<svg/>"}};
+const std::string verdicts = R"({"schema": "phytobench/verdicts-1"})";
+
+/// What every report has, and these.
+ReportFiles report_with(ReportFiles files) {
+  files["verdicts.json"] = verdicts;
+  return files;
+}
+
+const ReportFiles two_files = report_with({{"index.html", "page"}, {"figures/a.svg", "<svg/>"}});
 
 TEST_F(ReportFolder, HoldsTheFilesAndTheirChecksums) {
   put_report(folder(), two_files);
   EXPECT_EQ(read("index.html"), "page");
   EXPECT_EQ(read("figures/a.svg"), "<svg/>");
-  EXPECT_EQ(read("SHA256SUMS"),
-            sha256_hex("<svg/>") + "  figures/a.svg\n" + sha256_hex("page") + "  index.html\n");
+  EXPECT_EQ(read("SHA256SUMS"), sha256_hex("<svg/>") + "  figures/a.svg\n" + sha256_hex("page") +
+                                    "  index.html\n" + sha256_hex(verdicts) + "  verdicts.json\n");
   EXPECT_EQ(names(), (std::set<std::string>{"report", "report/SHA256SUMS", "report/figures",
-                                            "report/figures/a.svg", "report/index.html"}));
+                                            "report/figures/a.svg", "report/index.html",
+                                            "report/verdicts.json"}));
 }
 
 TEST_F(ReportFolder, LosesFilesOfAnEarlierReportThatThisOneDoesNotHave) {
   put_report(folder(), two_files);
-  put_report(folder(), {{"index.html", "other page"}});
+  put_report(folder(), report_with({{"index.html", "other page"}}));
   EXPECT_EQ(read("index.html"), "other page");
-  EXPECT_EQ(names(), (std::set<std::string>{"report", "report/SHA256SUMS", "report/index.html"}));
+  EXPECT_EQ(names(), (std::set<std::string>{"report", "report/SHA256SUMS", "report/index.html",
+                                            "report/verdicts.json"}));
 }
 
 TEST_F(ReportFolder, KeepsWhatNoReportWroteOrSomebodyChanged) {
   put_report(folder(), two_files);
   write("notes.txt", "mine");
   write("figures/a.svg", "<svg>mine</svg>");
-  put_report(folder(), {{"index.html", "page"}});
+  put_report(folder(), report_with({{"index.html", "page"}}));
   EXPECT_EQ(read("notes.txt"), "mine");
   EXPECT_EQ(read("figures/a.svg"), "<svg>mine</svg>");
 }
@@ -87,14 +97,30 @@ TEST_F(ReportFolder, NeverRemovesWhatLiesOutsideOrBehindALink) {
   write("../outside.txt", "precious");
   write("kept.txt", "precious");
   const std::string digest = sha256_hex("precious");
+  write("verdicts.json", verdicts);
   write("SHA256SUMS", digest + "  ../outside.txt\n" + digest + "  " +
                           fs::absolute(folder() / "kept.txt").string() + "\n" + digest +
-                          "  link.txt\n");
+                          "  link.txt\n" + sha256_hex(verdicts) + "  verdicts.json\n");
   fs::create_symlink(folder() / "kept.txt", folder() / "link.txt");
-  put_report(folder(), {{"index.html", "page"}});
+  put_report(folder(), report_with({{"index.html", "page"}}));
   EXPECT_EQ(read("../outside.txt"), "precious");
   EXPECT_EQ(read("kept.txt"), "precious");
   EXPECT_TRUE(fs::is_symlink(folder() / "link.txt"));
+}
+
+TEST_F(ReportFolder, TakesNoOtherProgramsChecksumsForItsOwn) {
+  write("thesis.tex", "mine");
+  write("SHA256SUMS", sha256_hex("mine") + "  thesis.tex\n");
+  EXPECT_THROW(put_report(folder(), two_files), InputError);
+  EXPECT_EQ(read("thesis.tex"), "mine");
+  EXPECT_EQ(names(), (std::set<std::string>{"report", "report/SHA256SUMS", "report/thesis.tex"}));
+}
+
+TEST_F(ReportFolder, ReplacesNoFileThatNoReportWrote) {
+  write("index.html", "my own page");
+  EXPECT_THROW(put_report(folder(), two_files), InputError);
+  EXPECT_EQ(read("index.html"), "my own page");
+  EXPECT_EQ(names(), (std::set<std::string>{"report", "report/index.html"}));
 }
 
 TEST_F(ReportFolder, KeepsTheOldReportWholeWhereANewOneCannotBeWritten) {
@@ -109,10 +135,10 @@ TEST_F(ReportFolder, KeepsTheOldReportWholeWhereANewOneCannotBeWritten) {
 
 TEST_F(ReportFolder, KeepsTheOldReportWholeWhereAFolderIsInTheWay) {
   put_report(folder(), two_files);
-  fs::create_directories(folder() / "verdicts.json");
+  fs::create_directories(folder() / "report.md");
   const auto before = names();
-  EXPECT_THROW(put_report(folder(), {{"index.html", "new"}, {"verdicts.json", "new"}}),
-               EnvironmentError);
+  EXPECT_THROW(put_report(folder(), report_with({{"index.html", "new"}, {"report.md", "new"}})),
+               InputError);
   EXPECT_EQ(names(), before);
   EXPECT_EQ(read("index.html"), "page");
 }
@@ -138,7 +164,8 @@ TEST_F(ReportFolder, LetsSignalsThroughAgain) {
 TEST(Checksums, ReadBack) {
   const auto digests = checksums_in(checksum_lines(two_files));
   EXPECT_EQ(digests, (std::map<std::string, std::string>{{"index.html", sha256_hex("page")},
-                                                         {"figures/a.svg", sha256_hex("<svg/>")}}));
+                                                         {"figures/a.svg", sha256_hex("<svg/>")},
+                                                         {"verdicts.json", sha256_hex(verdicts)}}));
 }
 
 TEST(Checksums, LeaveOutWhatIsNoLineOfTheirs) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reports/report_input.hpp"
 
+#include <set>
+
 #include "core/contract/check.hpp"
 #include "core/contract/errors.hpp"
 #include "core/contract/text_file.hpp"
@@ -18,24 +20,27 @@ bool is_full_size(const fs::path& file) {
   return file.stem().extension() == ".full";
 }
 
+/// A run's folder and its sealed artifacts.
+struct RunArtifacts {
+  const fs::path& run_folder;
+  const std::set<std::string>& names;
+};
+
 /// Adds artifacts with that extension, by their path below artifacts/; those that are there stay.
-void add_artifacts(std::map<std::string, Picture>& pictures, const fs::path& run_folder,
+void add_artifacts(std::map<std::string, Picture>& pictures, const RunArtifacts& run,
                    std::string_view extension) {
-  const fs::path artifacts = run_folder / "artifacts";
-  if (!fs::is_directory(artifacts)) return;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(artifacts)) {
-    const std::string name = fs::relative(entry.path(), artifacts).generic_string();
-    if (entry.path().extension() == extension && !is_full_size(entry.path()) &&
-        !pictures.contains(name))
-      pictures[name] = {entry.path(), read_text_file(entry.path())};
+  for (const std::string& name : run.names) {
+    const fs::path file = run.run_folder / "artifacts" / name;
+    if (file.extension() == extension && !is_full_size(file) && !pictures.contains(name))
+      pictures[name] = {file, read_text_file(file)};
   }
 }
 
 /// All that a run left to be shown; plots that it left as data are drawn.
-void add_pictures(ReportInput& input, const fs::path& run_folder) {
-  add_artifacts(input.drawings, run_folder, ".svg");
-  add_artifacts(input.photographs, run_folder, ".jpg");
-  for (auto& [name, plot] : artifact_plots(run_folder)) {
+void add_pictures(ReportInput& input, const RunArtifacts& run) {
+  add_artifacts(input.drawings, run, ".svg");
+  add_artifacts(input.photographs, run, ".jpg");
+  for (auto& [name, plot] : artifact_plots(run.run_folder, run.names)) {
     if (!plot.svg.empty()) input.drawings.try_emplace(name, Picture{{}, std::move(plot.svg)});
     input.plot_data.try_emplace(plot.data_name, Picture{plot.data_file, std::move(plot.data)});
   }
@@ -67,6 +72,14 @@ std::vector<std::string> labels_of(const ReportInput& input, bool without_varyin
   return labels;
 }
 
+/// The experiments that break off in one of the runs, the last run's first.
+std::vector<std::string> unfinished_in(const std::vector<LabelledRun>& runs) {
+  std::vector<std::string> unfinished;
+  for (auto run = runs.rbegin(); run != runs.rend(); ++run)
+    if (run->judged.run.unfinished) unfinished.push_back(*run->judged.run.unfinished);
+  return unfinished;
+}
+
 }  // namespace
 
 ReportInput read_report_input(const std::vector<fs::path>& run_folders,
@@ -78,7 +91,7 @@ ReportInput read_report_input(const std::vector<fs::path>& run_folders,
   for (const fs::path& folder : run_folders) {
     contents.push_back(read_run(folder));
     input.environments.push_back(read_environment(folder));
-    if (options.pictures) add_pictures(input, folder);
+    if (options.pictures) add_pictures(input, {folder, contents.back().artifacts});
   }
   if (run_folders.size() == 1) {
     input.judged = judge_run(std::move(contents.front()));
@@ -89,7 +102,11 @@ ReportInput read_report_input(const std::vector<fs::path>& run_folders,
   std::vector<LabelledRun> runs;
   for (std::size_t i = 0; i < contents.size(); ++i)
     runs.push_back({labels[i], judge_run(std::move(contents[i]))});
+  const std::vector<std::string> unfinished = unfinished_in(runs);
   MergedRuns merged = merge_runs(std::move(runs));
+  for (const std::string& experiment : unfinished)
+    if (!merged.judged.run.complete_experiments.contains(experiment))
+      merged.judged.run.unfinished = experiment;
   input.judged = std::move(merged.judged);
   input.comparison = std::move(merged.comparison);
   return input;

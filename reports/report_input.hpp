@@ -35,7 +35,9 @@ struct ReportInputOptions {
 };
 
 /// Reads and judges the runs; several are merged. Of an artifact that several runs left, the first
-/// run's is taken. Throws InputError for a folder without a run, and where one run is given twice.
+/// run's is taken; files that no complete experiment of a run has sealed are none. The merged run
+/// is `unfinished` where an experiment breaks off in one run and is complete in none. Throws
+/// InputError for a folder without a run, and where one run is given twice.
 ReportInput read_report_input(const std::vector<std::filesystem::path>& run_folders,
                               const ReportInputOptions& options);
 

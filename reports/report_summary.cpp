@@ -26,6 +26,9 @@ ReportSummary report_summary(const JudgedRun& judged) {
   for (const VerdictRow& row : verdict_rows())
     if (counts[row.name] > 0) summary.text += fmt::format("{:4}  {}\n", counts[row.name], row.name);
   summary.text += unexpected;
+  if (const auto& experiment = judged.run.unfinished)
+    summary.text +=
+        fmt::format("{} was left out: its records break off; go on with --resume\n", *experiment);
   return summary;
 }
 

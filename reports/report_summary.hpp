@@ -14,7 +14,8 @@ struct ReportSummary {
   std::size_t inconclusive = 0;
 };
 
-/// The counts by verdict and the unexpected verdicts of a run.
+/// The counts by verdict and the unexpected verdicts of a run, and the experiment that it lacks
+/// because its records break off.
 ReportSummary report_summary(const JudgedRun& judged);
 
 }  // namespace phytobench

@@ -103,7 +103,7 @@ ordered_json figure_document(const std::string& name, const FigureSources& sourc
   figure["name"] = name;
   figure["anchor"] = "figure-" + slug(name);
   figure["file"] = figure_file(name);
-  figure["caption"] = caption.empty() ? name : caption;
+  figure["caption"] = caption.empty() ? label_of(name) : caption;
   figure["description"] = description;
   figure["has_description"] = !description.empty() && description != caption;
   figure["claims"] = claims_on(name, claims);

@@ -7,6 +7,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/contract/text_file.hpp"
+#include "reference/data_folder.hpp"
+#include "reports/render_template.hpp"
+
 namespace phytobench {
 namespace {
 
@@ -84,7 +88,7 @@ TEST(FiguresOf, KeepsToItsWorkAndFallsBackToTheName) {
   EXPECT_EQ(figures[0]["caption"], "One");
   EXPECT_EQ(figures[0]["width"], "400");
   EXPECT_EQ(figures[0]["least_width"], "300");
-  EXPECT_EQ(figures[1]["caption"], "p/e/b.svg");
+  EXPECT_EQ(figures[1]["caption"], "B");
   EXPECT_EQ(figures[1]["least_width"], "0");
 }
 
@@ -116,15 +120,30 @@ TEST(FiguresOf, KeepLargePicturesOutOfThePage) {
 TEST(FiguresOf, ShowTheNumbersBehindAPlotEvenWhereItWasNotDrawn) {
   const auto figures =
       figures_from({{"p/a.svg", "<svg><title id='t'>A</title><desc>It rises.</desc></svg>"}},
-                   {{"p/a.csv", "x,y\n1,2\n"}, {"p/b.csv", "x,y\n"}});
+                   {{"p/a.csv", "x,y\n1,2\n"}, {"p/growth-law.csv", "x,y\n"}});
   ASSERT_EQ(figures.size(), 2u);
   EXPECT_EQ(figures[0]["caption"], "A");
   EXPECT_EQ(figures[0]["description"], "It rises.");
   EXPECT_EQ(figures[0]["data"]["file"], "figures/p-a.csv");
   EXPECT_EQ(figures[0]["data"]["rows"][0]["cells"][1], "2");
-  EXPECT_EQ(figures[1]["name"], "p/b.svg");
+  EXPECT_EQ(figures[1]["name"], "p/growth-law.svg");
+  EXPECT_EQ(figures[1]["caption"], "Growth law");
   EXPECT_EQ(figures[1]["has_picture"], false);
   EXPECT_EQ(figures[1]["data"]["has_rows"], false);
+}
+
+TEST(FiguresOf, SayThatAPlotWasNotDrawnInEveryFormat) {
+  nlohmann::ordered_json document;
+  document["has_pictures"] = true;
+  document["pictures"] = figures_from({}, {{"p/growth-law.csv", "x,y\n"}});
+  for (const auto& [name, format] :
+       {std::pair{"html", EscapeFor::html}, std::pair{"md", EscapeFor::markdown}}) {
+    const std::string text =
+        read_text_file(data_folder() / "templates" / name / "figures.mustache");
+    const std::string page = render_template(text, document, format);
+    EXPECT_NE(page.find("Growth law"), std::string::npos) << page;
+    EXPECT_NE(page.find("(not drawn, for gnuplot is not installed)"), std::string::npos) << page;
+  }
 }
 
 TEST(OwnIds, KeepReferencesWithWhatTheyName) {

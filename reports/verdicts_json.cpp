@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "reports/verdict_counts.hpp"
+
 namespace phytobench {
 
 namespace {
@@ -13,6 +15,7 @@ ordered_json claim_row(const Judgement& judgement) {
   const Claim& claim = *judgement.claim;
   return {{"id", claim.id},
           {"verdict", name_of(judgement.verdict)},
+          {"row", row_of(judgement).name},
           {"basis", claim.basis},
           {"published", claim.published},
           {"measured", judgement.measured},

@@ -36,6 +36,14 @@ struct TwoClaims {
   }
 };
 
+TEST(VerdictsJson, NamesTheRowThatTheReportCountsAClaimIn) {
+  TwoClaims of;
+  of.judged.papers[0].claims.claims[1].basis = "fitted";
+  const json claim = json::parse(verdicts_json(of.judged, nullptr, false))["claims"][1];
+  EXPECT_EQ(claim["verdict"], "reproduced");
+  EXPECT_EQ(claim["row"], "reproduced, fitted");
+}
+
 TEST(VerdictsJson, SaysAllOfAClaim) {
   const json verdicts = json::parse(verdicts_json(TwoClaims().judged, nullptr, false));
   EXPECT_EQ(verdicts["schema"], "phytobench/verdicts-1");
@@ -46,6 +54,7 @@ TEST(VerdictsJson, SaysAllOfAClaim) {
   const json& claim = verdicts["claims"][0];
   EXPECT_EQ(claim["id"], "p/refuted");
   EXPECT_EQ(claim["verdict"], "not reproduced");
+  EXPECT_EQ(claim["row"], "not reproduced");
   EXPECT_EQ(claim["expected"], "reproduced");
   EXPECT_EQ(claim["unexpected"], true);
   EXPECT_EQ(claim["predicted"], "underspecified");

@@ -46,14 +46,17 @@ class RecordsCollector {
     if (has_header_)
       complete(line, seal);
     else
-      content.header = header_from(line);
+      content_.header = header_from(line);
     has_header_ = true;
-    content.last = seal;
+    content_.last = seal;
   }
 
   bool has_header() const { return has_header_; }
 
-  RecordsFile content;
+  RecordsFile taken() {
+    if (!pending_.empty()) content_.unfinished = pending_[0].experiment;
+    return std::move(content_);
+  }
 
  private:
   void complete(const ordered_json& line, const Seal& seal) {
@@ -71,14 +74,15 @@ class RecordsCollector {
       if (!measurements_.insert(record.measurement).second)
         throw InputError("measurement '" + record.measurement +
                          "' stands here twice; run the experiments again");
-      content.records.push_back(std::move(record));
+      content_.records.push_back(std::move(record));
     }
     pending_.clear();
-    content.experiments.push_back({experiment, seal.digest});
+    content_.experiments.push_back({experiment, seal.digest});
   }
 
   bool has_header_ = false;
   std::vector<Record> pending_;
+  RecordsFile content_;
   std::set<std::string> experiments_;
   std::set<std::string> measurements_;
 };
@@ -109,7 +113,7 @@ RecordsFile parse_records(const std::filesystem::path& file, std::string_view te
                                  const Seal& seal) { collector.add_seal(line, seal); }});
   if (!collector.has_header())
     throw InputError(file.string() + ":1: is empty; run the experiments again");
-  return std::move(collector.content);
+  return collector.taken();
 }
 
 }  // namespace phytobench

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,8 @@ struct RecordsFile {
   std::vector<Record> records;
   std::vector<Experiment> experiments;  ///< in the order of the file
   Seal last;                            ///< after it comes what is unfinished
+  /// The experiment whose whole lines stand there; unset where no whole line does.
+  std::optional<std::string> unfinished;
 };
 
 /// Reads the content of `file`. Throws InputError with file and line.

@@ -68,6 +68,22 @@ TEST(RecordsFile, DamagedLastLineIsNotTakenForAnUnfinishedOne) {
   EXPECT_THAT(complaint(SealedText(quick_header).text() + "3"), StartsWith(at(2) + "damaged line"));
 }
 
+TEST(RecordsFile, DamageIsToldInPrintableLetters) {
+  const auto is_printable = [](const std::string& text) {
+    return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+  };
+  const std::string control = R"({"experiment":"\u001b[2J\u00e4","complete":true,"records":1})";
+  for (const std::string& text :
+       {std::string("{\"\xff\xfe\x1b[31m\": 1}\n"), std::string("\x1b\xc3\n"),
+        SealedText(quick_header).add("", control).text(),
+        SealedText(R"({"schema":"phytobench/records-\u001b\u00e4","tier":"quick"})").text()}) {
+    EXPECT_TRUE(is_printable(complaint(text))) << complaint(text);
+    EXPECT_THAT(complaint(text), StartsWith("run/records.jsonl:"));
+  }
+  EXPECT_THAT(complaint("{\"a\": \xff}\n"),
+              StartsWith(at(1) + "damaged line (no JSON from its byte 7 on); "));
+}
+
 TEST(RecordsFile, ForeignSchemaIsAnInputErrorInTheFirstLine) {
   for (const char* first :
        {R"({"tier":"quick","seed":7})", R"({"schema":"other/1","tier":"quick"})",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every way to damage the files of a small run: reading must refuse it, naming file and line. Only
-// a cut in the last experiment of the records may pass without a word, because a run that was
-// killed looks so; that experiment then does not count.
+// a cut in the last experiment of the records may pass, because a run that was killed looks so;
+// that experiment then does not count and is named.
 #include <regex>
 
 #include "core/record/run_folder_fixture.hpp"
@@ -16,6 +16,8 @@ std::string shown(const RunContents& run) {
   for (const Record& record : run.records) text += to_json_line(record) + "\n";
   for (const TimingSample& sample : run.timings) text += to_json_line(sample) + "\n";
   for (const std::string& experiment : run.complete_experiments) text += experiment + "\n";
+  for (const std::string& artifact : run.artifacts) text += artifact + "\n";
+  if (run.unfinished) text += "without " + *run.unfinished + "\n";
   return text;
 }
 
@@ -62,6 +64,7 @@ class RunDamage : public RunFolder {
     without_last_ = shown(read_run(folder_));
     overwrite(records_file(), records);
     ASSERT_NE(whole_, without_last_);
+    ASSERT_TRUE(without_last_.ends_with("without p/three\n"));
   }
 
   static void write_three_experiments(const fs::path& folder, const RunHeader& header,

@@ -101,7 +101,12 @@ TEST_F(RunFiles, TellWhatIsNoRun) {
                             "\n");
   EXPECT_THAT(complaint(), StartsWith(at(records_file(), 1) + "not a run of this suite"));
   overwrite(folder_ / "file", "");
-  EXPECT_THAT(input_error([this] { read_run(folder_ / "file"); }), HasSubstr("no such folder"));
+  EXPECT_THAT(input_error([this] { read_run(folder_ / "file"); }),
+              StartsWith((folder_ / "file").string() + ": is a file; give the folder of its run, " +
+                         folder_.string()));
+  overwrite(base_ / "file", "");
+  EXPECT_THAT(input_error([this] { read_run(base_ / "file"); }),
+              StartsWith((base_ / "file").string() + ": is a file; give a folder that phytobench"));
 }
 
 TEST_F(RunFiles, LeaveOutAnExperimentThatWasBeingWritten) {
@@ -121,10 +126,43 @@ TEST_F(RunFiles, LeaveOutAnExperimentThatWasBeingWritten) {
     EXPECT_EQ(run.complete_experiments, std::set<std::string>{"p/one"}) << cut;
     EXPECT_EQ(run.records.size(), 3u) << cut;
     EXPECT_EQ(run.timings.size(), 2u) << cut;
+    // Of less than a line the name cannot be told.
+    const bool has_name =
+        more_timings.substr(timings.size(), cut - timings.size()).find('\n') != std::string::npos;
+    EXPECT_EQ(run.unfinished, has_name ? std::optional<std::string>("p/two") : std::nullopt) << cut;
   }
   overwrite(timings_file(), more_timings);
   append_text(records_file(), record_line("p/two", "count") + R"({"experiment":"p/tw)");
   EXPECT_EQ(read_run(folder_).complete_experiments, std::set<std::string>{"p/one"});
+  EXPECT_EQ(read_run(folder_).unfinished, "p/two");
+  overwrite(timings_file(), timings);
+  EXPECT_EQ(read_run(folder_).unfinished, "p/two");
+  overwrite(records_file(), records);
+  EXPECT_EQ(read_run(folder_).unfinished, std::nullopt);
+}
+
+TEST_F(RunFiles, HaveTheArtifactsThatCompleteExperimentsSealed) {
+  const std::set<std::string> sealed{"p/two/a/leaf.svg", "p/two/tree.svg"};
+  {
+    RunWriter writer = start();
+    append_to(writer, "p/one");
+    for (const char* name : {"tree.svg", "a/leaf.svg"})
+      writer.write_artifact("p/two", name, "<svg/>");
+    append_to(writer, "p/two");
+    writer.write_artifact("p/three", "tree.svg", "<svg/>");  // and is killed
+  }
+  write_file_atomically(folder_ / "artifacts/p/one/fake.svg", "<svg/>");
+  write_file_atomically(folder_ / "artifacts/p/never/fake.svg", "<svg/>");
+  EXPECT_EQ(read_run(folder_).artifacts, sealed);
+  const std::string records = read_text_file(records_file());
+  {
+    RunWriter writer = resume();
+    writer.write_artifact("p/three", "tree.svg", "<svg/>");
+    append_to(writer, "p/three");
+  }
+  EXPECT_EQ(read_run(folder_).artifacts.size(), 3u);
+  overwrite(records_file(), records);  // its timings alone do not make it complete
+  EXPECT_EQ(read_run(folder_).artifacts, sealed);
 }
 
 TEST_F(RunFiles, ChangedDigitIsAnInputErrorThatNamesItsSection) {

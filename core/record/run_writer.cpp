@@ -30,6 +30,28 @@ bool are_unique(std::span<const Record> records) {
   return true;
 }
 
+/// Whether the file holds no more than a run writes before records.jsonl is there.
+bool is_fresh(const fs::path& timings_file) {
+  const std::string fresh = DigestChain().sealed("", timings_header()) + "\n";
+  std::error_code ignored;
+  return fs::file_size(timings_file, ignored) == fresh.size() &&
+         read_text_file(timings_file) == fresh;
+}
+
+/// A run whose records.jsonl was lost cannot go on, but what is left of it is not ours to replace.
+void refuse_rest_of_a_run(const fs::path& folder) {
+  std::error_code ignored;
+  const fs::path timings = folder / timings_name, artifacts = folder / artifacts_name;
+  const char* found = nullptr;
+  if (fs::is_regular_file(timings, ignored) && !is_fresh(timings))
+    found = timings_name;
+  else if (fs::exists(artifacts, ignored) && !fs::is_empty(artifacts, ignored))
+    found = artifacts_name;
+  if (found)
+    throw InputError(folder.string() + ": holds " + found + " of a run but no " + records_name +
+                     "; put that back and use --resume, or use another --out");
+}
+
 }  // namespace
 
 void refuse_other_header(const fs::path& folder, const RunHeader& found, const RunHeader& wanted) {
@@ -57,6 +79,7 @@ RunWriter::RunWriter(fs::path folder, const RunHeader& header, RunMode mode)
 }
 
 void RunWriter::begin(const RunHeader& header) {
+  refuse_rest_of_a_run(folder_);
   std::error_code ignored;
   fs::remove(folder_ / environment_name, ignored);  // of a run whose records are gone
   timings_ = SealedFile(folder_ / timings_name, timings_header());

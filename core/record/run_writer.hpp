@@ -15,7 +15,7 @@
 namespace phytobench {
 
 enum class RunMode {
-  fresh,   ///< the folder must hold no records yet
+  fresh,   ///< the folder must hold nothing of a run yet
   resume,  ///< finished experiments are kept, a half-written one is dropped
 };
 

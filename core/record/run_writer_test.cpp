@@ -54,6 +54,37 @@ TEST_F(RunWriting, FreshRunMayUseAFolderWithoutRecords) {
   EXPECT_FALSE(fs::exists(environment_file()));
 }
 
+TEST_F(RunWriting, RestOfARunWhoseRecordsAreGoneIsAnInputErrorAndStays) {
+  write_run({"p/one"});
+  write_file_atomically(environment_file(), "{}");
+  const std::string timings = read_text_file(timings_file());
+  fs::rename(records_file(), base_ / "aside");
+  const auto expect_refused = [this](const std::string& found) {
+    for (const RunMode mode : {RunMode::fresh, RunMode::resume})
+      EXPECT_THAT(input_error([&] { RunWriter(folder_, quick_seven, mode); }),
+                  StartsWith(folder_.string() + ": holds " + found +
+                             " of a run but no records.jsonl; put that back"));
+    EXPECT_FALSE(fs::exists(records_file()));
+    EXPECT_TRUE(fs::exists(environment_file()));
+  };
+  expect_refused("timings.jsonl");
+  EXPECT_EQ(read_text_file(timings_file()), timings);
+  fs::remove(timings_file());
+  write_file_atomically(folder_ / "artifacts" / "p" / "one" / "tree.svg", "<svg/>");
+  expect_refused("artifacts");
+  EXPECT_FALSE(fs::exists(timings_file()));
+}
+
+TEST_F(RunWriting, WhatARunLeavesThatIsKilledAtItsStartDoesNotHinderTheNext) {
+  start();
+  fs::remove(records_file());  // which is written last
+  make_folder(folder_ / "artifacts");
+  EXPECT_EQ(input_error([this] { start(); }), "no error");
+  fs::remove(records_file());
+  EXPECT_EQ(input_error([this] { resume(); }), "no error");
+  EXPECT_EQ(read_run(folder_).header, quick_seven);
+}
+
 TEST_F(RunWriting, ResumeOfNothingStartsAFreshRun) {
   resume();
   EXPECT_EQ(read_run(folder_).header, quick_seven);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/record/sealed_lines.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include <fmt/format.h>
@@ -24,6 +25,13 @@ bool breaks_off(std::string_view line) {
   } catch (const ordered_json::parse_error& error) {
     return error.byte > line.size();
   }
+}
+
+/// For a terminal: a damaged file's text may hold any byte.
+std::string in_printable_letters(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text;
 }
 
 /// Goes through the text of a file and keeps the place.
@@ -82,10 +90,15 @@ void read_sealed_lines(const fs::path& file, std::string_view text, const Sealed
   while (!lines.is_at_end()) {
     try {
       lines.next();
-    } catch (const nlohmann::json::exception& error) {
-      throw InputError(where() + "damaged line (" + error.what() + "); run the experiments again");
+    } catch (const ordered_json::parse_error& error) {
+      // The library's text repeats what it has read, and knows only line 1.
+      throw InputError(fmt::format("{}damaged line (no JSON from its byte {} on); {}", where(),
+                                   error.byte, "run the experiments again"));
+    } catch (const ordered_json::exception& error) {
+      throw InputError(where() + "damaged line (" + in_printable_letters(error.what()) +
+                       "); run the experiments again");
     } catch (const InputError& error) {
-      throw InputError(where() + error.what());
+      throw InputError(where() + in_printable_letters(error.what()));
     }
   }
 }

@@ -30,12 +30,15 @@ class TimingsCollector {
       start(line);
     else
       complete(line, seal);
-    content.last = seal;
+    content_.last = seal;
   }
 
   bool has_header() const { return has_header_; }
 
-  TimingsFile content;
+  TimingsFile taken() {
+    if (!pending_.empty()) content_.unfinished = pending_[0].experiment;
+    return std::move(content_);
+  }
 
  private:
   [[noreturn]] static void refuse_header() {
@@ -52,8 +55,8 @@ class TimingsCollector {
     if (!pending_.empty())
       throw InputError("timings of '" + pending_[0].experiment +
                        "' stand in no experiment; run the experiments again");
-    content.sessions.push_back(
-        {.experiments = content.experiments.size(), .environment_digest = line.at("environment")});
+    content_.sessions.push_back(
+        {.experiments = content_.experiments.size(), .environment_digest = line.at("environment")});
   }
 
   void complete(const ordered_json& line, const Seal& seal) {
@@ -65,21 +68,22 @@ class TimingsCollector {
       if (sample.experiment != experiment)
         throw InputError("a timing of '" + sample.experiment + "' stands in '" + experiment +
                          "'; run the experiments again");
-      content.timings.push_back(std::move(sample));
+      content_.timings.push_back(std::move(sample));
     }
-    content.experiments.push_back({.name = experiment,
-                                   .records_digest = line.at("records_sha256"),
-                                   .artifacts = line.contains("artifacts")
-                                                    ? line.at("artifacts").get<ArtifactDigests>()
-                                                    : ArtifactDigests(),
-                                   .before = content.last,
-                                   .timings = pending_.size(),
-                                   .line = seal.line});
+    content_.experiments.push_back({.name = experiment,
+                                    .records_digest = line.at("records_sha256"),
+                                    .artifacts = line.contains("artifacts")
+                                                     ? line.at("artifacts").get<ArtifactDigests>()
+                                                     : ArtifactDigests(),
+                                    .before = content_.last,
+                                    .timings = pending_.size(),
+                                    .line = seal.line});
     pending_.clear();
   }
 
   bool has_header_ = false;
   std::vector<TimingSample> pending_;
+  TimingsFile content_;
 };
 
 }  // namespace
@@ -112,7 +116,7 @@ TimingsFile parse_timings(const std::filesystem::path& file, std::string_view te
                                  const Seal& seal) { collector.add_seal(line, seal); }});
   if (!collector.has_header())
     throw InputError(file.string() + ":1: is empty; run the experiments again");
-  return std::move(collector.content);
+  return collector.taken();
 }
 
 }  // namespace phytobench

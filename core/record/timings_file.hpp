@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,8 @@ struct TimingsFile {
   std::vector<Experiment> experiments;  ///< in the order of the file
   std::vector<Session> sessions;        ///< in the order of the file
   Seal last;                            ///< after it comes what is unfinished
+  /// The experiment whose whole lines stand there; unset where no whole line does.
+  std::optional<std::string> unfinished;
 };
 
 /// Reads the content of `file`. Throws InputError with file and line.

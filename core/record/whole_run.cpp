@@ -51,8 +51,19 @@ RunTexts read_texts(const fs::path& folder) {
   return texts;
 }
 
+/// What to do about a file in the place of a run's folder; it may be one of the run's.
+std::string folder_instead_of(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  std::error_code ignored;
+  return fs::exists(folder / records_name, ignored)
+             ? "give the folder of its run, " + folder.string()
+             : "give a folder that phytobench run --out has made";
+}
+
 void refuse_what_is_no_run(const fs::path& folder) {
   std::error_code ignored;
+  if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored))
+    throw InputError(folder.string() + ": is a file; " + folder_instead_of(folder));
   if (!fs::is_directory(folder, ignored))
     throw InputError(folder.string() + ": no such folder; make one with phytobench run --out");
   if (!fs::exists(folder / records_name, ignored))
@@ -94,6 +105,13 @@ void drop_unfinished(TimingsFile& timings, std::size_t complete) {
                 [&](const auto& session) { return session.experiments > complete; });
 }
 
+/// The experiment that was left out because its lines break off.
+std::optional<std::string> unfinished_of(const RecordsFile& records, const TimingsFile& timings) {
+  if (timings.experiments.size() > records.experiments.size())
+    return timings.experiments.back().name;
+  return records.unfinished ? records.unfinished : timings.unfinished;
+}
+
 /// environment.json must be that of the start of the run in which the last experiment was measured,
 /// or of a later start, which has measured nothing yet.
 void refuse_other_environment(const fs::path& folder, const std::optional<std::string>& environment,
@@ -126,6 +144,15 @@ void refuse_other_artifacts(const fs::path& folder, const TimingsFile& timings) 
     }
 }
 
+/// By their path below artifacts/.
+std::set<std::string> artifacts_of(const TimingsFile& timings) {
+  std::set<std::string> artifacts;
+  for (const TimingsFile::Experiment& experiment : timings.experiments)
+    for (const auto& [name, digest] : experiment.artifacts)
+      artifacts.insert(experiment.name + "/" + name);
+  return artifacts;
+}
+
 }  // namespace
 
 WholeRun read_whole_run(const fs::path& folder) {
@@ -135,13 +162,16 @@ WholeRun read_whole_run(const fs::path& folder) {
   if (!texts.timings) throw InputError((folder / timings_name).string() + ": is lost" + what_to_do);
   TimingsFile timings = parse_timings(folder / timings_name, *texts.timings);
   refuse_lost_experiments(folder, records, timings);
+  std::optional<std::string> unfinished = unfinished_of(records, timings);
   drop_unfinished(timings, records.experiments.size());
   refuse_other_environment(folder, texts.environment, timings);
   refuse_other_artifacts(folder, timings);
   WholeRun run{.contents = {.header = records.header,
                             .records = std::move(records.records),
                             .timings = std::move(timings.timings),
-                            .complete_experiments = {}},
+                            .complete_experiments = {},
+                            .artifacts = artifacts_of(timings),
+                            .unfinished = std::move(unfinished)},
                .last_of_records = records.last,
                .last_of_timings = timings.last};
   for (const RecordsFile::Experiment& experiment : records.experiments)

@@ -55,8 +55,8 @@ void record_overlaps(ExperimentContext& context, const std::string& name,
   context.record(name + "/pairs-apart", overlaps.apart_from_them, "pairs");
 }
 
-/// The thesis' trees, and the same with their branches bent: growth leaves room, bending takes none
-/// into account.
+/// The thesis' trees, and the same with all their branches bent more than in any of its figures:
+/// growth leaves room, bending takes none into account.
 void record_thesis_trees(ExperimentContext& context) {
   for (const char* figure :
        {"figure-40-left", "figure-41-left", "figure-42-left", "figure-42-right", "figure-43-left",
@@ -72,6 +72,17 @@ void record_thesis_trees(ExperimentContext& context) {
     record_overlaps(context, name, overlaps_of(tree, parameters, radii));
     const Skeleton bent = bend_branches(tree, {.intensity = 0.8, .first_order = 12});
     record_overlaps(context, name + "/bent", overlaps_of(bent, parameters, radii));
+  }
+}
+
+/// Figure 43, whose branches hang as its author published them.
+void record_hanging_branches(ExperimentContext& context) {
+  for (const char* figure : {"figure-43-left", "figure-43-middle"}) {
+    const TreeParameters parameters = thesis_tree(figure);
+    const Skeleton tree = grow_seedling(make_seedling(parameters), context).skeleton;
+    const Skeleton bent = bend_branches(tree, parameters.plant.pendulous);
+    record_overlaps(context, std::string("hanging/") + figure,
+                    overlaps_of(bent, parameters, radii_of(tree, parameters)));
   }
 }
 
@@ -97,6 +108,7 @@ void record_seeds(ExperimentContext& context) {
 
 void run(ExperimentContext& context) {
   record_thesis_trees(context);
+  record_hanging_branches(context);
   record_seeds(context);
 }
 

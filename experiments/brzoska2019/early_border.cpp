@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Trees that reach the border of their cloud before their iterations are over. The cloud is the one
-// its author published for figure 49, a sphere of radius 5; one of twice the radius stands beside
-// it.
+// Trees that reach the border of their cloud before their iterations are over. The cloud is a
+// sphere of radius 5, a scene of ours; one of twice the radius stands beside it.
 #include <fmt/format.h>
 
 #include "core/tree/habit.hpp"

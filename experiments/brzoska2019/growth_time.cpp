@@ -102,9 +102,9 @@ void run(ExperimentContext& context) {
   const TomlTable table = thesis_parameters().table("growth-time");
   const std::vector<Task> tasks = tasks_of(table);
   record_trees(context, tasks);
-  const int rounds = context.tier() == Tier::smoke ? 0 : context.tier() == Tier::quick ? 5 : 25;
+  const int rounds = context.tier() == Tier::smoke ? 0 : context.tier() == Tier::quick ? 9 : 25;
   time_growth(context, tasks, rounds);
-  time_meshes(context, table.text("mesh"), 5 * rounds);
+  time_meshes(context, table.text("mesh"), 3 * rounds);
 }
 
 }  // namespace

@@ -135,7 +135,6 @@ void record_distributions(ExperimentContext& context, const std::vector<Leaf>& l
   record_sample(context, "size/deviation_over_given", size.deviation(), n);
   record_sample(context, "size/normality_p_value", kolmogorov_uniformity_p_value(sizes), n);
   record_sample(context, "size/not_positive", not_positive, n);
-  context.record("size/normal_share_below_zero", normal_share_below(-1.0 / options.size_spread));
   record_sample(context, "direction/uniform_turn/mean_upward", up.mean(), n);
   record_sample(context, "direction/uniform_turn/uniformity_p_value",
                 kolmogorov_uniformity_p_value(heights), n);

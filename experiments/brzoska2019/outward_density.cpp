@@ -82,7 +82,8 @@ void record_shell(ExperimentContext& context) {
 }
 
 /// Branchings of crowns' inner and outer halves, by edges from the crown root: their numbers, and
-/// their shares of the nodes with a child. Returns outer less inner shares.
+/// their shares of the nodes with a child. Numbers rise outwards wherever nodes do, as they do in
+/// every crown here; shares need not. Returns outer less inner shares.
 ByTree record_halves(ExperimentContext& context, const std::string& name,
                      const std::function<GrownTree(std::size_t)>& grow) {
   ByTree inner_number, outer_number, inner_share, outer_share;

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "core/statistics/median_interval.hpp"
+#include "core/statistics/order_statistics.hpp"
 #include "core/statistics/power_law.hpp"
 
 namespace phytobench {
@@ -242,10 +244,17 @@ JudgedTerm judge_term(const ClaimCheck& check, const std::vector<std::string>& t
   if (check.equals_text) return judge_text(check, term[0], evidence, judged);
   const std::vector<double> combined = combined_by_round(check, term, evidence);
   if (combined.empty()) return judged;
-  const Estimate estimate = combined.size() == 1 ? Estimate{combined[0], combined[0], combined[0]}
-                                                 : median_estimate(combined);
-  judged.measured = shown_estimate(estimate);
-  judged.outcome = outcome_of(estimate, check);
+  if (combined.size() == 1) {
+    const Estimate exact{combined[0], combined[0], combined[0]};
+    judged.measured = shown_estimate(exact);
+    judged.outcome = outcome_of(exact, check);
+  } else if (const auto estimate = median_interval(combined)) {
+    judged.measured = shown_estimate(*estimate);
+    judged.outcome = outcome_of(*estimate, check);
+  } else {  // not even the extremes of so few rounds enclose the median often enough
+    judged.measured = fmt::format("{} in {} rounds", shown(median(combined)), combined.size());
+    judged.outcome = CheckOutcome::undecided;
+  }
   return judged;
 }
 

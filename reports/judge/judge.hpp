@@ -34,6 +34,8 @@ struct Judgement {
   std::string reason;    ///< the claim's own, or why nothing could be measured
   std::vector<JudgedCheck> checks;
   bool varies = false;  ///< rests on times, which differ between equal runs
+  /// Several runs decided it differently: inconclusive, for no lack of evidence.
+  bool contradicted = false;
 
   /// Whether the verdict contradicts the claim's expected one. Missing evidence and noise
   /// contradict nothing, nor do times where they are known to come out otherwise elsewhere.

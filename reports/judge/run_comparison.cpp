@@ -43,6 +43,7 @@ ComparedClaim compared_claim(std::span<const LabelledRun> runs, std::size_t pape
 Judgement contradicted_judgement(std::span<const LabelledRun> runs, const ComparedClaim& compared,
                                  std::size_t paper, std::size_t claim) {
   Judgement merged{.verdict = Verdict::inconclusive};
+  merged.contradicted = true;
   merged.reason = "The runs disagree: ";
   for (std::size_t run = 0; run < runs.size(); ++run) {
     const Judgement& own = judgement_of(runs[run], paper, claim);

@@ -167,6 +167,7 @@ TEST(MergeRuns, CallsAContradictionInconclusiveAndNamesTheRuns) {
   const MergedRuns merged = merged_runs(run_of("A", holds, holds), run_of("B", fails, holds));
   const Judgement& judgement = merged.judged.papers[0].judgements[0];
   EXPECT_EQ(judgement.verdict, noise);
+  EXPECT_TRUE(judgement.contradicted);
   EXPECT_EQ(judgement.reason,
             "The runs disagree: A: reproduced; B: not reproduced. Bounds are exact.");
   EXPECT_EQ(judgement.measured, "A: A value; B: B value");
@@ -174,6 +175,7 @@ TEST(MergeRuns, CallsAContradictionInconclusiveAndNamesTheRuns) {
   EXPECT_EQ(judgement.checks[1].terms[0].expression, "x (B)");
   EXPECT_FALSE(judgement.is_unexpected()) << "as noise contradicts nothing";
   EXPECT_EQ(merged.judged.papers[0].judgements[1].verdict, holds);
+  EXPECT_FALSE(merged.judged.papers[0].judgements[1].contradicted);
 }
 
 TEST(MergeRuns, PointsToItsOwnClaimsAndTables) {

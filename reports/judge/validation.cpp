@@ -29,6 +29,13 @@ std::string kind_of(const std::string& statistic) {
   return numbered ? statistic.substr(0, last) : statistic;
 }
 
+/// Polynomials are fitted, and the deviation of values in memory is taken, on certified sets alone:
+/// experiments and judge use straight lines, power laws and running moments.
+bool is_unused(const std::string& statistic, const std::string& function) {
+  return function == "polynomial_regression" ||
+         (function == "moments" && statistic == "standard_deviation");
+}
+
 /// "09" -> 9; 0 for what is no number.
 std::int64_t count_in(const std::string& text) {
   std::int64_t count = 0;
@@ -98,7 +105,8 @@ std::vector<CertifiedAnswer> certified_answers(const RunContents& run) {
                            .computed = *computed,
                            .digits = *digits,
                            .reachable = records.number(name + "/reachable_digits"),
-                           .is_counter_example = parts[2] == "sums_of_squares"};
+                           .is_counter_example = parts[2] == "sums_of_squares",
+                           .is_unused = is_unused(parts[1], parts[2])};
     const auto same = std::find_if(answers.begin(), answers.end(), [&](const auto& other) {
       return other.set == answer.set && other.statistic == answer.statistic &&
              other.function == answer.function;

@@ -26,6 +26,7 @@ struct CertifiedAnswer {
   double digits = 0.0;                             ///< of agreement
   std::optional<double> reachable = std::nullopt;  ///< digits of exact arithmetic on the doubles
   bool is_counter_example = false;  ///< a formula that the suite does not use, to show it fail
+  bool is_unused = false;           ///< a function that nothing else in the suite rests on
 };
 
 /// What one function answers where a closed form or an exact algorithm knows better.

@@ -66,6 +66,20 @@ TEST(CertifiedAnswers, NameStatisticsThatEndInANumberInTheMiddle) {
   EXPECT_FALSE(answers[2].reachable);
 }
 
+TEST(CertifiedAnswers, TellWhatNothingElseUses) {
+  RunContents run;
+  put_answer(run, "num_acc_1/standard_deviation/moments", 1.0, 1.0, 15.0);
+  put_answer(run, "num_acc_1/standard_deviation/running_moments", 1.0, 1.0, 15.0);
+  put_answer(run, "num_acc_1/mean/moments", 1.0, 1.0, 15.0);
+  put_answer(run, "longley/coefficient_1/polynomial_regression", 1.0, 1.0, 15.0);
+  const auto answers = certified_answers(run);
+  ASSERT_EQ(answers.size(), 4u);
+  EXPECT_TRUE(answers[0].is_unused);
+  EXPECT_FALSE(answers[1].is_unused);
+  EXPECT_FALSE(answers[2].is_unused);
+  EXPECT_TRUE(answers[3].is_unused);
+}
+
 TEST(CertifiedAnswers, LeaveOutWhatIsHalfWritten) {
   RunContents run;
   put(run, "suite/certified-statistics/nist/num_acc_1/mean/moments/digits", 15.0);
