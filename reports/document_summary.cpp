@@ -41,7 +41,10 @@ void count(ClaimCounts& counts, const Judgement& judgement, bool without_varying
     ++counts.fitted;
     return;
   }
-  counts.reproduced += judgement.verdict == Verdict::reproduced;
+  const bool reproduced = judgement.verdict == Verdict::reproduced;
+  counts.reproduced += reproduced;
+  counts.from_text += reproduced && judgement.claim->basis == "paper";
+  counts.with_author_values += reproduced && judgement.claim->basis == "author-published";
   counts.with_erratum += judgement.verdict == Verdict::reproduced_with_erratum;
   counts.refuted += judgement.verdict == Verdict::not_reproduced;
   counts.inconclusive += judgement.verdict == Verdict::inconclusive;
@@ -78,13 +81,17 @@ std::string runs_text(const RunComparison& comparison) {
   return text;
 }
 
+/// What holds from the text alone must not be mixed with what needs more than the text.
 std::string found_text(const ClaimCounts& counts) {
-  std::string text =
-      fmt::format("{} as they stand, {} more once an erratum is corrected",
-                  counted(counts.reproduced, "claim is reproduced", "claims are reproduced"),
-                  counts.with_erratum);
+  std::string text = fmt::format(
+      "{} from the text alone, {} with values that the author published elsewhere, {} under a "
+      "reading or a value of ours; {} wrong or incomplete as printed and {} once corrected",
+      counted(counts.from_text, "claim holds", "claims hold"), counts.with_author_values,
+      counts.reproduced - counts.from_text - counts.with_author_values,
+      counted(counts.with_erratum, "is", "are"), counts.with_erratum == 1 ? "holds" : "hold");
   if (counts.fitted > 0)
-    text += fmt::format(", {} more with a parameter that was fitted", counts.fitted);
+    text += fmt::format("; {} only with a parameter that was fitted",
+                        counted(counts.fitted, "holds", "hold"));
   return text + fmt::format("; {} not reproduced.", counted(counts.refuted, "is", "are"));
 }
 

@@ -11,6 +11,7 @@ namespace phytobench {
 /// What a report counts over all claims. Hidden ones rest on times that are left out.
 struct ClaimCounts {
   std::size_t claims = 0, measured = 0, reproduced = 0, fitted = 0, with_erratum = 0, refuted = 0;
+  std::size_t from_text = 0, with_author_values = 0;  ///< of the reproduced ones
   std::size_t inconclusive = 0, not_seen = 0, without_model = 0, undecidable = 0, hidden = 0;
   std::size_t unexpected = 0, contradicted = 0;  ///< contradicted: by another of several runs
   bool vary = false;                             ///< some verdict rests on times
