@@ -107,7 +107,7 @@ TEST_F(CommandLine, GrowsItsExampleAlikeWithEveryEngineAndOption) {
     SCOPED_TRACE(more.back());
     Words arguments = {"grow", "example.toml", "--json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const json tree = json_of(arguments, "phytobench/grow-1");
+    const json tree = json_of(arguments, "phytobench/grow-2");
     EXPECT_EQ(tree.at("edges").get<int>(), 2243);
     EXPECT_EQ(tree.at("nodes").get<int>(), 2244);
     hashes.insert(tree.at("tree_hash").get<std::string>());

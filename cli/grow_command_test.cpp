@@ -20,7 +20,7 @@ class GrowCommand : public CommandLine {
 
 TEST_F(GrowCommand, WritesModelsThatHoldWhatItCounts) {
   const json tree =
-      json_of({"grow", "tree.toml", "--out", "a/tree.obj,tree.glb", "--json"}, "phytobench/grow-1");
+      json_of({"grow", "tree.toml", "--out", "a/tree.obj,tree.glb", "--json"}, "phytobench/grow-2");
   EXPECT_EQ(tree["files"].size(), 5u);
   for (const json& file : tree["files"]) EXPECT_TRUE(exists(file.get<std::string>())) << file;
   const std::string obj = read("a/tree.obj");
@@ -46,12 +46,24 @@ TEST_F(GrowCommand, WritesTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST_F(GrowCommand, GrowsPresetsByName) {
-  const json tree = json_of({"grow", "--preset", "figure-45-left", "--json"}, "phytobench/grow-1");
+  const json tree = json_of({"grow", "--preset", "figure-45-left", "--json"}, "phytobench/grow-2");
   EXPECT_EQ(tree["edges"], 401);
   EXPECT_EQ(tree["vertices"], 1808);
   EXPECT_EQ(tree["triangles"], 2406);
   expect_refused({"grow", "--preset", "figure-99"}, 2, "list presets");
   expect_refused({"grow", "tree.toml", "--preset", "birch"}, 2, "not both");
+}
+
+TEST_F(GrowCommand, SaysTheSameOfTheTreeWithEveryOption) {
+  const auto tree_of = [this](const std::string& option) {
+    json tree = json_of({"grow", "tree.toml", "--option", option, "--json"}, "phytobench/grow-2");
+    for (const char* key : {"option", "work", "stop_reason"}) tree.erase(key);
+    return tree;
+  };
+  const json tree = tree_of("s");
+  EXPECT_EQ(tree["iterations"], 12);
+  EXPECT_LT(tree["points_at_last_search"], tree["attraction_points"]);
+  for (const char* option : {"d", "n", "dn"}) EXPECT_EQ(tree_of(option), tree) << option;
 }
 
 TEST_F(GrowCommand, RendersFromTheSideAskedFor) {

@@ -4,16 +4,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/statistics/bootstrap.hpp"
+#include "cli/race_numbers.hpp"
 
 namespace phytobench::cli {
 
 namespace {
 
-Estimate total_of(const ApproximateEntry& entry) {
+MedianOfRounds total_of(const ApproximateEntry& entry) {
   std::vector<double> seconds;
   for (const PhaseSeconds& round : entry.rounds) seconds.push_back(round.total);
-  return median_estimate(seconds);
+  return median_of_rounds(seconds);
 }
 
 }  // namespace
@@ -27,11 +27,8 @@ nlohmann::ordered_json approximate_json(const std::vector<ApproximateEntry>& lan
                                 {"built", entry.engine->built()},
                                 {"exact", false}};
     if (entry.engine->built()) {
-      const Estimate total = total_of(entry);
       json["nodes"] = entry.nodes;
-      json["median_s"] = total.value;
-      json["ci95_s"] = {total.low, total.high};
-      json["rounds"] = entry.rounds.size();
+      put_seconds(json, total_of(entry));
       json["tree_difference"] = entry.tree_difference;
       json["wrong_answers"] = entry.wrong_answers;
     } else {

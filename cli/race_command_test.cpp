@@ -9,6 +9,7 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 
 class RaceCommand : public CommandLine {
  protected:
@@ -44,7 +45,18 @@ TEST_F(RaceCommand, GivesOneVerifiedDocument) {
   }
   EXPECT_EQ(trees.size(), 1u);
   ASSERT_EQ(document["ratios"].size(), 5u);
-  for (const json& ratio : document["ratios"]) EXPECT_LE(ratio["ci95"][0], ratio["ci95"][1]);
+  for (const json& ratio : document["ratios"]) {
+    EXPECT_LE(ratio["ci95"][0], ratio["ci95"][1]);
+    EXPECT_EQ(ratio["rounds"], 3);
+  }
+}
+
+TEST_F(RaceCommand, CallsTheRangeOfFewRoundsNoInterval) {
+  const std::string few = race("hopkins --size 500 --rounds 5").out;
+  EXPECT_THAT(few, HasSubstr("least"));
+  EXPECT_THAT(few, HasSubstr("Of 5 rounds, with the least and the most"));
+  EXPECT_THAT(few, Not(HasSubstr("95 %")));
+  EXPECT_THAT(race("hopkins --size 500 --rounds 6").out, HasSubstr("95 % from"));
 }
 
 TEST_F(RaceCommand, SkipsWhatWouldTakeTooLongAndSaysHowLong) {

@@ -8,12 +8,13 @@
 #include "benchmarks/competition/step_race.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_values.hpp"
+#include "cli/race_numbers.hpp"
 #include "cli/terminal.hpp"
 #include "core/competition/competition_registry.hpp"
 #include "core/contract/errors.hpp"
 #include "core/memory/keep_freed_memory.hpp"
 #include "core/record/environment.hpp"
-#include "core/statistics/bootstrap.hpp"
+#include "core/statistics/order_statistics.hpp"
 #include "core/statistics/power_law.hpp"
 
 namespace phytobench::cli {
@@ -72,13 +73,12 @@ ordered_json entry_json(const StepEntry& entry, std::int64_t plants) {
                     {"median_s", nullptr},      {"ci95_s", nullptr}};
   if (!entry.objection.empty()) json["disagreement"] = entry.objection;
   if (entry.seconds.empty()) return json;
-  const Estimate seconds = median_estimate(entry.seconds);
-  json["median_s"] = seconds.value;
-  json["ci95_s"] = {seconds.low, seconds.high};
+  const MedianOfRounds seconds = median_of_rounds(entry.seconds);
+  put_seconds(json, seconds);
   json["plants_per_s"] = static_cast<double>(plants) / seconds.value;
   json["pairs"] = entry.pairs;
-  json["search_s"] = entry.search.empty() ? ordered_json(nullptr)
-                                          : ordered_json(median_estimate(entry.search).value);
+  json["search_s"] =
+      entry.search.empty() ? ordered_json(nullptr) : ordered_json(median(entry.search));
   json["bytes_per_plant"] =
       entry.bytes_per_plant > 0.0 ? ordered_json(entry.bytes_per_plant) : ordered_json(nullptr);
   return json;
@@ -90,7 +90,7 @@ std::optional<PowerLaw> growth_of_time(const std::vector<SizeResult>& results, s
   for (const SizeResult& size : results) {
     if (size.entries[entry].seconds.empty()) return std::nullopt;
     plants.push_back(static_cast<double>(size.plants));
-    seconds.push_back(median_estimate(size.entries[entry].seconds).value);
+    seconds.push_back(median(size.entries[entry].seconds));
   }
   return fit_power_law(plants, seconds);
 }
@@ -119,7 +119,9 @@ ordered_json document(const std::vector<SizeResult>& results,
       json["engines"].push_back(entry_json(entry, size.plants));
       const StepEntry* one = on_one_thread(size, entry);
       if (one == nullptr || one == &entry || entry.seconds.empty()) continue;
-      ordered_json ratio = estimate_json(paired_ratio_estimate(one->seconds, entry.seconds));
+      const MedianOfRounds gain = ratio_of_rounds(one->seconds, entry.seconds);
+      ordered_json ratio = estimate_json(gain);
+      ratio["rounds"] = gain.rounds;
       ratio["name"] = entry.rule->name;
       ratio["plants"] = size.plants;
       ratio["threads"] = entry.threads;
@@ -143,29 +145,30 @@ std::string row_of(const SizeResult& size, const StepEntry& entry) {
   if (!entry.objection.empty())
     return fmt::format("{:<24}{:>8}  WRONG, no time: {}\n", entry.rule->name, entry.threads,
                        entry.objection);
-  const Estimate s = median_estimate(entry.seconds);
+  const MedianOfRounds s = median_of_rounds(entry.seconds);
   const StepEntry* one = on_one_thread(size, entry);
   std::string ratio;
   if (one != nullptr && one != &entry) {
-    const Estimate r = paired_ratio_estimate(one->seconds, entry.seconds);
+    const MedianOfRounds r = ratio_of_rounds(one->seconds, entry.seconds);
     ratio = fmt::format("  {:.2f}x [{:.2f}, {:.2f}] of one thread", r.value, r.low, r.high);
   }
   return fmt::format(
       "{:<24}{:>8}{:>11}{:>11}{:>11}{:>9.2f}{:>11}{:>9}{}\n", entry.rule->name, entry.threads,
       with_unit(s.value), with_unit(s.low), with_unit(s.high),
       static_cast<double>(size.plants) / s.value / 1e6,
-      entry.search.empty() ? "-" : with_unit(median_estimate(entry.search).value),
+      entry.search.empty() ? "-" : with_unit(median(entry.search)),
       entry.bytes_per_plant > 0.0 ? fmt::format("{:.0f}", entry.bytes_per_plant) : "-", ratio);
 }
 
 std::string table(const std::vector<SizeResult>& results, const CompetitionRaceOptions& options) {
   std::string text;
+  const EndsInWords ends = ends_in_words(static_cast<std::size_t>(options.rounds));
   for (const SizeResult& size : results) {
     text += fmt::format(
         "{} plants of two sizes on a torus, {:g} overlapping pairs of root zones a plant\n\n"
         "{:<24}{:>8}{:>11}{:>11}{:>11}{:>9}{:>11}{:>9}\n{:<24}{:>8}{:>11}{:>11}{:>11}{:>9}{:>11}"
         "{:>9}\n",
-        size.plants, options.pairs, "rule", "threads", "one step", "95 % from", "to", "million",
+        size.plants, options.pairs, "rule", "threads", "one step", ends.from, "to", "million",
         "search", "bytes", "", "", "", "", "", "a second", "alone", "a plant");
     for (const StepEntry& entry : size.entries) text += row_of(size, entry);
     text += "\n";
@@ -175,7 +178,7 @@ std::string table(const std::vector<SizeResult>& results, const CompetitionRaceO
       text += fmt::format("{:<24}{:>8}  time grows as plants^{:.3f} [{:.3f}, {:.3f}]\n",
                           results.front().entries[e].rule->name, results.front().entries[e].threads,
                           law->exponent.value, law->exponent.low, law->exponent.high);
-  return text;
+  return text + ends.note;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "benchmarks/point_pattern/hopkins_race.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_values.hpp"
+#include "cli/race_numbers.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
 #include "core/memory/keep_freed_memory.hpp"
@@ -15,7 +16,7 @@
 #include "core/point_pattern/random_patterns.hpp"
 #include "core/random/counter_stream.hpp"
 #include "core/record/environment.hpp"
-#include "core/statistics/bootstrap.hpp"
+#include "core/statistics/order_statistics.hpp"
 
 namespace phytobench::cli {
 
@@ -44,8 +45,8 @@ std::vector<Point2> chosen_points(const HopkinsRaceOptions& options) {
 const HopkinsWay* fastest_of(const std::vector<HopkinsWay>& ways) {
   const HopkinsWay* fastest = nullptr;
   for (const HopkinsWay& way : ways)
-    if (!way.seconds.empty() && (fastest == nullptr || median_estimate(way.seconds).value <
-                                                           median_estimate(fastest->seconds).value))
+    if (!way.seconds.empty() &&
+        (fastest == nullptr || median(way.seconds) < median(fastest->seconds)))
       fastest = &way;
   return fastest;
 }
@@ -71,18 +72,13 @@ ordered_json document(const std::vector<HopkinsWay>& ways, std::size_t points,
     if (!way.objection.empty()) entry["disagreement"] = way.objection;
     if (!way.missing.empty()) entry["missing_package"] = way.missing;
     if (!way.seconds.empty()) {
-      const Estimate seconds = median_estimate(way.seconds);
-      entry["median_s"] = seconds.value;
-      entry["ci95_s"] = {seconds.low, seconds.high};
+      put_seconds(entry, median_of_rounds(way.seconds));
       entry["mean_ratio"] = way.index.mean_ratio;
     }
     json["engines"].push_back(entry);
     if (way.seconds.empty() || &way == fastest) continue;
-    const Estimate ratio = paired_ratio_estimate(way.seconds, fastest->seconds);
-    json["ratios"].push_back({{"slower", way.name},
-                              {"faster", fastest->name},
-                              {"ratio", ratio.value},
-                              {"ci95", {ratio.low, ratio.high}}});
+    json["ratios"].push_back(
+        ratio_json(way.name, fastest->name, ratio_of_rounds(way.seconds, fastest->seconds)));
   }
   json["environment"] =
       ordered_json::parse(environment_json(options.command_line, options.seed, options.threads));
@@ -91,11 +87,13 @@ ordered_json document(const std::vector<HopkinsWay>& ways, std::size_t points,
 
 std::string table(const std::vector<HopkinsWay>& ways, std::size_t points,
                   const HopkinsRaceOptions& options) {
+  const HopkinsWay* const fastest = fastest_of(ways);
+  const EndsInWords ends = ends_in_words(fastest ? fastest->seconds.size() : 0);
   std::string text = fmt::format(
       "{} {} points in a square; sampled ways ask at as many random places\n\n{:<22} "
-      "{:>10} {:>10}  {:>10} - {:>10}  {:>8} 95 %\n",
-      points, options.pattern, "Hopkins index", "value", "median", "95 % from", "to", "fastest");
-  const HopkinsWay* const fastest = fastest_of(ways);
+      "{:>10} {:>10}  {:>10} - {:>10}  {:>8} {}\n",
+      points, options.pattern, "Hopkins index", "value", "median", ends.from, "to", "fastest",
+      ends.ratio);
   for (const HopkinsWay& way : ways) {
     if (!way.missing.empty()) {
       text += fmt::format("{:<22} not built: {} was not found\n", way.name, way.missing);
@@ -105,13 +103,13 @@ std::string table(const std::vector<HopkinsWay>& ways, std::size_t points,
       text += fmt::format("{:<22} WRONG, no time: {}\n", way.name, way.objection);
       continue;
     }
-    const Estimate s = median_estimate(way.seconds);
-    const Estimate ratio = paired_ratio_estimate(way.seconds, fastest->seconds);
+    const MedianOfRounds s = median_of_rounds(way.seconds);
+    const MedianOfRounds ratio = ratio_of_rounds(way.seconds, fastest->seconds);
     text += fmt::format("{:<22} {:>10.6f} {:>10}  {:>10} - {:>10}  {:>7.2f}x [{:.2f}, {:.2f}]\n",
                         way.name, way.index.mean_ratio, with_unit(s.value), with_unit(s.low),
                         with_unit(s.high), ratio.value, ratio.low, ratio.high);
   }
-  return text;
+  return text + ends.note;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/option_values.hpp"
 #include "cli/race_approximate.hpp"
+#include "cli/race_numbers.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
 #include "core/memory/keep_freed_memory.hpp"
@@ -94,6 +95,15 @@ double median_of(const RaceEntry& entry, double PhaseSeconds::*phase) {
   return median(samples(entry, phase));
 }
 
+MedianOfRounds total_of(const RaceEntry& entry) {
+  return median_of_rounds(samples(entry, &PhaseSeconds::total));
+}
+
+MedianOfRounds ratio_of(const RaceEntry& slower, const RaceEntry& faster) {
+  return ratio_of_rounds(samples(slower, &PhaseSeconds::total),
+                         samples(faster, &PhaseSeconds::total));
+}
+
 double median_reset(const RaceEntry& entry) {
   std::vector<double> seconds;
   for (const PhaseSeconds& round : entry.rounds) seconds.push_back(reset_seconds(round));
@@ -147,12 +157,9 @@ ordered_json entry_json(const RaceEntry& entry, const RaceResult& result) {
     json["disagreement"] = entry.disagreement;
   }
   if (entry.state != State::timed) return json;
-  const Estimate total = median_estimate(samples(entry, &PhaseSeconds::total));
   json["exact"] = true;
   json["tree_hash"] = entry.tree_hash;
-  json["median_s"] = total.value;
-  json["ci95_s"] = {total.low, total.high};
-  json["rounds"] = entry.rounds.size();
+  put_seconds(json, total_of(entry));
   json["distance_evaluations"] = evaluations(entry);
   const std::uint64_t floor = result.floor.association + result.floor.removal;
   if (floor > 0)
@@ -206,13 +213,9 @@ ordered_json document(const Workload& workload, const RaceResult& result,
     json["engines"].push_back(entry_json(entry, result));
   json["ratios"] = ordered_json::array();
   const auto ranked = ranking(result);
-  for (std::size_t i = 1; i < ranked.size(); ++i) {
-    const Estimate ratio = time_ratio(*ranked[i], *ranked[0]);
-    json["ratios"].push_back({{"slower", ranked[i]->name()},
-                              {"faster", ranked[0]->name()},
-                              {"ratio", ratio.value},
-                              {"ci95", {ratio.low, ratio.high}}});
-  }
+  for (std::size_t i = 1; i < ranked.size(); ++i)
+    json["ratios"].push_back(
+        ratio_json(ranked[i]->name(), ranked[0]->name(), ratio_of(*ranked[i], *ranked[0])));
   json["approximate"] = approximate_json(approximate, options.threads.front());
   json["environment"] = ordered_json::parse(
       environment_json(options.command_line, workload.seed,
@@ -221,8 +224,7 @@ ordered_json document(const Workload& workload, const RaceResult& result,
 }
 
 std::string timed_line(const RaceEntry& entry, const RaceEntry& fastest, const RaceResult& result) {
-  const Estimate total = median_estimate(samples(entry, &PhaseSeconds::total));
-  const Estimate ratio = time_ratio(entry, fastest);
+  const MedianOfRounds total = total_of(entry), ratio = ratio_of(entry, fastest);
   const double floor = static_cast<double>(result.floor.association + result.floor.removal);
   return fmt::format(
       "{:<29} {:>10}  {:>10} - {:>10}  {:>8.1f}x  {:>10} {:>10} {:>10} {:>10}  {:>9.3g} {:>7}\n",
@@ -258,14 +260,15 @@ std::string table(const Workload& workload, const RaceResult& result) {
       workload.name, workload.seedling.attraction_points.size(), result.iterations, result.nodes,
       result.judge, result.floor.association, result.floor.removal);
   const auto ranked = ranking(result);
+  const EndsInWords ends = ends_in_words(ranked.empty() ? 0 : ranked.front()->rounds.size());
   if (!ranked.empty())
     text += fmt::format(
         "{:<29} {:>10}  {:>10} - {:>10}  {:>9}  {:>10} {:>10} {:>10} {:>10}  {:>9} {:>7}\n",
-        "engine, option", "median", "95 % from", "to", "fastest", "build", "search", "kill",
-        "growth", "pairs/min", "B/point");
+        "engine, option", "median", ends.from, "to", "fastest", "build", "search", "kill", "growth",
+        "pairs/min", "B/point");
   for (const RaceEntry* entry : ranked) text += timed_line(*entry, *ranked.front(), result);
   for (const RaceEntry& entry : result.entries) text += other_line(entry);
-  return text;
+  return text + ends.note;
 }
 
 }  // namespace

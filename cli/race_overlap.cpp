@@ -8,13 +8,13 @@
 #include "benchmarks/overlap/overlap_race.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_values.hpp"
+#include "cli/race_numbers.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
 #include "core/memory/keep_freed_memory.hpp"
 #include "core/overlap/discs_file.hpp"
 #include "core/overlap/overlap_registry.hpp"
 #include "core/record/environment.hpp"
-#include "core/statistics/bootstrap.hpp"
 #include "core/statistics/order_statistics.hpp"
 
 namespace phytobench::cli {
@@ -97,14 +97,6 @@ std::vector<const OverlapEntry*> ranking(const OverlapRaceResult& result) {
   return timed;
 }
 
-ordered_json ratio_json(const std::string& slower, const std::string& faster,
-                        const Estimate& ratio) {
-  return {{"slower", slower},
-          {"faster", faster},
-          {"ratio", ratio.value},
-          {"ci95", {ratio.low, ratio.high}}};
-}
-
 ordered_json entry_json(const OverlapEntry& entry) {
   ordered_json json{{"name", entry.engine->name},
                     {"options", ""},
@@ -122,11 +114,8 @@ ordered_json entry_json(const OverlapEntry& entry) {
     json["disagreement"] = entry.disagreement;
   }
   if (entry.state != State::timed) return json;
-  const Estimate seconds = median_estimate(entry.seconds);
   json["exact"] = true;
-  json["median_s"] = seconds.value;
-  json["ci95_s"] = {seconds.low, seconds.high};
-  json["rounds"] = entry.seconds.size();
+  put_seconds(json, median_of_rounds(entry.seconds));
   json["distance_evaluations"] = entry.work.candidates;
   return json;
 }
@@ -147,19 +136,17 @@ ordered_json document(const OverlapWorkload& workload, const OverlapRaceResult& 
   json["ratios"] = ordered_json::array();
   const auto ranked = ranking(result);
   for (std::size_t i = 1; i < ranked.size(); ++i)
-    json["ratios"].push_back(
-        ratio_json(ranked[i]->name(), ranked[0]->name(),
-                   paired_ratio_estimate(ranked[i]->seconds, ranked[0]->seconds)));
+    json["ratios"].push_back(ratio_json(ranked[i]->name(), ranked[0]->name(),
+                                        ratio_of_rounds(ranked[i]->seconds, ranked[0]->seconds)));
   json["lens"] = ordered_json::array();
   for (const LensEntry& lens : result.lens) {
-    const Estimate seconds = median_estimate(lens.seconds);
-    json["lens"].push_back({{"name", lens.name},
-                            {"median_s", seconds.value},
-                            {"ci95_s", {seconds.low, seconds.high}}});
+    ordered_json alone{{"name", lens.name}};
+    put_seconds(alone, median_of_rounds(lens.seconds));
+    json["lens"].push_back(std::move(alone));
     if (lens.name != "vector")
       json["ratios"].push_back(
           ratio_json("lens " + lens.name, "lens vector",
-                     paired_ratio_estimate(lens.seconds, result.lens.back().seconds)));
+                     ratio_of_rounds(lens.seconds, result.lens.back().seconds)));
   }
   json["environment"] = ordered_json::parse(
       environment_json(options.command_line, workload.seed,
@@ -169,8 +156,8 @@ ordered_json document(const OverlapWorkload& workload, const OverlapRaceResult& 
 
 std::string timed_line(const std::string& name, const std::vector<double>& seconds,
                        const std::vector<double>& fastest, const std::string& work) {
-  const Estimate total = median_estimate(seconds);
-  const Estimate ratio = paired_ratio_estimate(seconds, fastest);
+  const MedianOfRounds total = median_of_rounds(seconds);
+  const MedianOfRounds ratio = ratio_of_rounds(seconds, fastest);
   return fmt::format("{:<27} {:>10}  {:>10} - {:>10}  {:>7.2f}x [{:.2f}, {:.2f}]  {}\n", name,
                      with_unit(total.value), with_unit(total.low), with_unit(total.high),
                      ratio.value, ratio.low, ratio.high, work);
@@ -197,9 +184,13 @@ std::string table(const OverlapWorkload& workload, const OverlapRaceResult& resu
       "{}: {} overlapping pairs\njudged by the {}; areas of a sample are right to {:.1e}\n\n",
       workload.name, result.pairs, result.judge, result.largest_area_error);
   const auto ranked = ranking(result);
-  const std::string heading = fmt::format("{:>10}  {:>10} - {:>10}  {:>8} {:<14}", "median",
-                                          "95 % from", "to", "fastest", "95 %");
-  if (!ranked.empty()) text += fmt::format("{:<27} {}  looked at/pair\n", "engine", heading);
+  const auto heading_with = [](const EndsInWords& ends) {
+    return fmt::format("{:>10}  {:>10} - {:>10}  {:>8} {:<14}", "median", ends.from, "to",
+                       "fastest", ends.ratio);
+  };
+  const EndsInWords ends = ends_in_words(ranked.empty() ? 0 : ranked.front()->seconds.size());
+  if (!ranked.empty())
+    text += fmt::format("{:<27} {}  looked at/pair\n", "engine", heading_with(ends));
   for (const OverlapEntry* entry : ranked)
     text += timed_line(entry->name(), entry->seconds, ranked.front()->seconds,
                        result.pairs == 0
@@ -207,8 +198,10 @@ std::string table(const OverlapWorkload& workload, const OverlapRaceResult& resu
                            : fmt::format("{:.3g}", static_cast<double>(entry->work.candidates) /
                                                        static_cast<double>(result.pairs)));
   for (const OverlapEntry& entry : result.entries) text += other_line(entry);
+  text += ends.note;
   if (result.lens.empty()) return text;
-  text += fmt::format("\n{:<27} {}\n", "areas alone", heading);
+  text += fmt::format("\n{:<27} {}\n", "areas alone",
+                      heading_with(ends_in_words(result.lens.front().seconds.size())));
   for (const LensEntry& lens : result.lens)
     text += timed_line(lens.name, lens.seconds, result.lens.back().seconds, "");
   return text;

@@ -99,8 +99,7 @@ TEST_F(ReportCommandSlow, CallsAClaimInconclusiveThatTwoCompilersDecideDifferent
   EXPECT_EQ(outcome.code, 0) << outcome.out;
   const json claim = claim_in("merged");
   EXPECT_EQ(claim["verdict"], "inconclusive");
-  EXPECT_THAT(claim["reason"].get<std::string>(),
-              HasSubstr("GCC 12.2.0 on X: reproduced; Clang 14.0.6 on X: not reproduced"));
+  EXPECT_THAT(claim["reason"].get<std::string>(), HasSubstr("A: reproduced; B: not reproduced"));
   EXPECT_THAT(read("merged/report.md"), HasSubstr("## 2 runs side by side"));
   EXPECT_THAT(read("merged/index.html"), HasSubstr("id=\"comparison\""));
   EXPECT_THAT(read("merged/records-that-differ.csv"),

@@ -1,7 +1,9 @@
 include(GoogleTest)
 
 # One test program per layer from every *_test.cpp below the folder. The suite's name gives the label: *Law,
-# *Oracle, *Slow, *Tidy; all others are unit tests. WITHOUT names what a missing library leaves out.
+# *Oracle, *Slow, *Tidy; all others are unit tests. WITHOUT names what a missing library leaves out. With sanitizers
+# a process takes longer to start than most tests take: there every program runs in a few parts, without *Slow and
+# *Tidy, and its parts are what is counted.
 function(phytobench_tests NAME)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;WITHOUT" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *_test.cpp)
@@ -15,7 +17,19 @@ function(phytobench_tests NAME)
   # GoogleTest's macros hold an if of their own.
   target_compile_options(${NAME} PRIVATE -Wno-dangling-else)
   target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main GTest::gmock)
+  phytobench_quick_to_compile(${NAME})
   set(environment "PHYTOBENCH_DATA=${CMAKE_BINARY_DIR}/share")
+  if(PHYTOBENCH_SANITIZERS)
+    set(parts 4)
+    foreach(part RANGE 1 ${parts})
+      math(EXPR index "${part} - 1")
+      add_test(NAME ${NAME}_${part}_of_${parts}
+               COMMAND ${NAME} --gtest_brief=1 "--gtest_filter=-*Slow.*:*Slow/*:*Tidy.*:*Tidy/*")
+      set_tests_properties(${NAME}_${part}_of_${parts} PROPERTIES LABELS unit TIMEOUT 1200
+        ENVIRONMENT "${environment};GTEST_TOTAL_SHARDS=${parts};GTEST_SHARD_INDEX=${index}")
+    endforeach()
+    return()
+  endif()
   foreach(label law oracle slow tidy)
     string(SUBSTRING ${label} 0 1 first)
     string(TOUPPER ${first} first)

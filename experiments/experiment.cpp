@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/experiment.hpp"
 
+#include <algorithm>
+#include <thread>
+
 #include "core/contract/errors.hpp"
 
 namespace phytobench {
+
+int ExperimentContext::untimed_threads() const {
+  return std::max(threads_, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 void ExperimentContext::record(const std::string& name, RecordValue value,
                                const std::string& unit) {

@@ -20,7 +20,10 @@ class ExperimentContext {
 
   Tier tier() const { return tier_; }
   std::uint64_t seed() const { return seed_; }  ///< for the suite's own random numbers (--seed)
-  int threads() const { return threads_; }
+  int threads() const { return threads_; }      ///< of the engines, timed or not
+  /// For work that is not timed and has the same result with any number: threads(), or all of the
+  /// machine's processors if these are more.
+  int untimed_threads() const;
 
   /// Adds the measurement "<experiment>/<name>".
   void record(const std::string& name, RecordValue value, const std::string& unit = "1");

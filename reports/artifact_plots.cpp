@@ -65,8 +65,7 @@ LinePlot line_plot(const PlotPanel& panel, Colours& colours) {
 ArtifactPlot read_plot(const fs::path& folder, const std::set<std::string>& artifacts,
                        const std::string& name, const std::string& gnuplot) {
   const std::string stem = name.substr(0, name.size() - ending.size());
-  ArtifactPlot result{
-      .svg = {}, .note = {}, .title = {}, .description = {}, .data_name = stem + ".csv"};
+  ArtifactPlot result{.svg = {}, .caption = {}, .data_name = stem + ".csv"};
   const fs::path json_file = folder / name;
   result.data_file = folder / result.data_name;
   if (!artifacts.contains(result.data_name))
@@ -75,12 +74,8 @@ ArtifactPlot read_plot(const fs::path& folder, const std::set<std::string>& arti
   result.data = read_text_file(result.data_file);
   const PlotData plot = parse_plot(read_text_file(json_file), json_file.string(), result.data,
                                    result.data_file.string());
-  result.title = plot.title;
-  result.description = plot.description;
-  if (auto svg = draw_plot(plot, slug(stem), gnuplot))
-    result.svg = std::move(*svg);
-  else
-    result.note = "not drawn, for gnuplot is not installed";
+  result.caption = {plot.title, plot.description};
+  result.svg = draw_plot(plot, slug(stem), gnuplot).value_or("");
   return result;
 }
 

@@ -12,12 +12,16 @@
 
 namespace phytobench {
 
+/// What a plot says of itself, drawn or not.
+struct PlotCaption {
+  std::string title;        ///< what is shown
+  std::string description;  ///< what is seen
+};
+
 /// A plot that an experiment left as data, drawn.
 struct ArtifactPlot {
-  std::string svg;                  ///< ids begin with the slug of its name; empty: see `note`
-  std::string note;                 ///< why there is no picture; empty where there is one
-  std::string title;                ///< what is shown
-  std::string description;          ///< what is seen, for the caption
+  std::string svg;  ///< ids begin with the slug of its name; empty: gnuplot is not installed
+  PlotCaption caption;
   std::filesystem::path data_file;  ///< the CSV file
   std::string data_name;            ///< its name below artifacts/
   std::string data;                 ///< its content

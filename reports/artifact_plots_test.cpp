@@ -69,9 +69,8 @@ TEST_F(ArtifactPlots, AreFoundWithTheirDataAlsoWithoutGnuplot) {
   const auto& [name, plot] = *plots.begin();
   EXPECT_EQ(name, "alsweis/two-plants/figure-4.5.svg");
   EXPECT_EQ(plot.svg, "");
-  EXPECT_THAT(plot.note, HasSubstr("gnuplot"));
-  EXPECT_EQ(plot.title, "Two plants");
-  EXPECT_EQ(plot.description, "They grow.");
+  EXPECT_EQ(plot.caption.title, "Two plants");
+  EXPECT_EQ(plot.caption.description, "They grow.");
   EXPECT_EQ(plot.data_name, "alsweis/two-plants/figure-4.5.csv");
   EXPECT_EQ(plot.data_file, folder() / "figure-4.5.csv");
   EXPECT_EQ(plot.data, plot_csv(two_panels()));

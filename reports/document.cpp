@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <vector>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "build_information.hpp"
+#include "reports/compact_svg.hpp"
 #include "reports/document_attention.hpp"
+#include "reports/document_numbers.hpp"
 #include "reports/document_papers.hpp"
 #include "reports/document_predictions.hpp"
 #include "reports/document_provenance.hpp"
@@ -15,7 +18,8 @@
 #include "reports/document_scaling.hpp"
 #include "reports/document_summary.hpp"
 #include "reports/document_timings.hpp"
-#include "reports/unclaimed_measurements.hpp"
+#include "reports/document_unclaimed.hpp"
+#include "reports/run_limits.hpp"
 
 namespace phytobench {
 
@@ -28,7 +32,8 @@ ordered_json merged_runs(const RunComparison* comparison) {
   ordered_json runs = ordered_json::array();
   if (!comparison) return runs;
   for (const ComparedRun& run : comparison->runs)
-    runs.push_back({{"label", run.label},
+    runs.push_back({{"letter", run_letter(runs.size())},
+                    {"label", run.label},
                     {"tier", name_of(run.contents.header.tier)},
                     {"seed", run.contents.header.seed}});
   return runs;
@@ -81,26 +86,29 @@ ordered_json papers_part(const JudgedRun& judged, const PaperSources& sources) {
   return papers;
 }
 
-/// What was measured although no claim rests on it, by experiment. What experiments cost is told
-/// elsewhere.
-ordered_json unclaimed_part(const JudgedRun& judged, bool without_varying) {
-  RunContents run = judged.run;
-  if (without_varying) run.timings.clear();
-  std::erase_if(run.timings, is_cost);
-  std::vector<const Claim*> claims;
-  for (const JudgedPaper& paper : judged.papers)
-    for (const Judgement& judgement : paper.judgements) claims.push_back(judgement.claim);
-  ordered_json experiments = ordered_json::array();
-  for (const UnclaimedGroup& group : unclaimed_measurements(run, claims)) {
-    if (experiments.empty() || experiments.back()["experiment"] != group.experiment)
-      experiments.push_back(
-          {{"experiment", group.experiment}, {"count", 0}, {"groups", ordered_json::array()}});
-    ordered_json& own = experiments.back();
-    own["count"] = own["count"].get<std::size_t>() + group.count;
-    own["groups"].push_back(
-        {{"group", group.group.empty() ? "(directly)" : group.group}, {"count", group.count}});
-  }
-  return experiments;
+/// What was asked and found, after what keeps the run from telling all of it; and at last which
+/// verdicts are neither the expected ones nor unexpected.
+ordered_json first_lines(const JudgedRun& judged, const DocumentSources& sources) {
+  const bool without_varying = sources.without_varying;
+  ordered_json lines = summary_document(judged, sources.comparison, without_varying);
+  const auto line = [](const char* term, const std::string& text, bool varies) {
+    return ordered_json{{"term", term}, {"text", text}, {"varies", varies}};
+  };
+  if (const std::string text = incompleteness(judged); !text.empty())
+    lines.insert(lines.begin(), line("Incomplete", text, false));
+  const ordered_json by_machine = machine_dependent(judged, without_varying);
+  if (by_machine.empty()) return lines;
+  std::string names;
+  for (const ordered_json& claim : by_machine)
+    names += (names.empty() ? "" : ", ") + claim["short_id"].get<std::string>();
+  const std::string count = counted(by_machine.size(), "verdict is", "verdicts are");
+  lines.push_back(
+      line("Machines",
+           fmt::format("{} not as expected, but known to depend on the machine; such verdicts "
+                       "count neither as expected nor as unexpected: {}.",
+                       count, names),
+           true));
+  return lines;
 }
 
 std::size_t total_count(const ordered_json& parts) {
@@ -114,6 +122,16 @@ ordered_json studies_part(const JudgedRun& judged, const DocumentSources& source
   if (judged.scaling.measured())
     studies.push_back(scaling_document(judged.scaling, sources.plots, sources.without_varying));
   return studies;
+}
+
+/// Pictures in the page need not be as they are in their files.
+void compact_pictures(ordered_json& part) {
+  for (auto& [key, value] : part.items()) {
+    if (key == "svg" && value.is_string())
+      value = compact_svg(value.get<std::string>());
+    else if (value.is_structured())
+      compact_pictures(value);
+  }
 }
 
 /// Where the times come from.
@@ -136,25 +154,26 @@ ordered_json make_document(const JudgedRun& judged, const DocumentSources& sourc
   const ExperimentCosts costs(judged.run, sources.experiments, without_varying);
   ordered_json document;
   document["run"] = run_part(judged, sources, environment);
-  document["summary"] = summary_document(judged, sources.comparison, without_varying);
+  document["summary"] = first_lines(judged, sources);
   document["counts"] = counts_document(judged, without_varying);
   add(document, "attention", attention_document(judged, without_varying));
   document["predictions"] = predictions_document(judged, without_varying);
   document["papers"] = papers_part(judged, {judged.run,
                                             evidence,
                                             costs,
-                                            {sources.pictures, sources.plot_data},
+                                            {sources.pictures, sources.plot_data, sources.captions},
                                             sources.photographs,
                                             without_varying});
   add(document, "studies", studies_part(judged, sources));
+  compact_pictures(document);
   document["timing"] = timings_document(judged.run, without_varying);
   document["timing"]["machine"] =
       without_varying ? "" : times_line(environment, sources.comparison);
   add(document, "environment",
       without_varying ? ordered_json::array() : environment_rows(environment));
-  document["limits"] = limits_document(judged, without_varying);
+  document["limits"] = run_limits(judged, without_varying);
   document["repeat"] = repeat_document(judged, costs, sources.comparison);
-  add(document, "unclaimed_groups", unclaimed_part(judged, without_varying));
+  add(document, "unclaimed_groups", unclaimed_document(judged, without_varying));
   document["unclaimed"] = total_count(document["unclaimed_groups"]);
   for (const char* slot : {"comparison", "validation"})
     document[std::string("has_") + slot] = false;

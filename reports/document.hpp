@@ -24,6 +24,7 @@ struct DocumentSources {
   std::map<std::string, std::string> plot_data = {};  ///< numbers of plots: artifact name -> CSV
   std::map<std::string, ExperimentFacts> experiments = {};  ///< by id; what is absent is not known
   const RunComparison* comparison = nullptr;                ///< of a merged run
+  std::map<std::string, PlotCaption> captions = {};         ///< of plots, by their picture's name
 };
 
 /// The one document model: everything a report says, ready for the templates. The templates only

@@ -23,13 +23,6 @@ struct TwoHundred {
   std::string agreement() const { return shown_agreement(claim, Evidence(run)); }
 };
 
-TEST(DigitsOfAgreement, AreTheLogRelativeError) {
-  EXPECT_DOUBLE_EQ(digits_of_agreement(202.0, 200.0), 2.0);
-  EXPECT_DOUBLE_EQ(digits_of_agreement(-202.0, -200.0), 2.0);
-  EXPECT_EQ(digits_of_agreement(200.0, 200.0), 15.0);
-  EXPECT_EQ(digits_of_agreement(-1e9, 1.0), 0.0);
-}
-
 TEST(NumberIn, ReadsWholeTextsOnly) {
   EXPECT_EQ(number_in("49.3"), 49.3);
   EXPECT_EQ(number_in("0,8"), 0.8);
@@ -40,12 +33,41 @@ TEST(NumberIn, ReadsWholeTextsOnly) {
 
 TEST(Agreement, IsShownForOneNumberOfEach) {
   TwoHundred of;
-  EXPECT_EQ(of.agreement(), "2.0 digits");
+  EXPECT_EQ(of.agreement(), "2 of 3 digits");
   of.claim.checks[0].terms = {{"b/x/n", "b/x/m"}};
   of.claim.checks[0].subject = CheckSubject::ratio;
   of.claim.published = "101";
   of.claim.checks[0].low = 100.0;
   EXPECT_EQ(of.agreement(), "all digits");
+}
+
+std::string agreement_of(const std::string& published, double computed) {
+  TwoHundred of;
+  of.claim.published = published;
+  of.claim.checks[0].low = -1e9;
+  of.claim.checks[0].high = 1e9;
+  of.run.records = {record_of("b/x/n", computed)};
+  return of.agreement();
+}
+
+TEST(Agreement, CountsWholeDigitsAndNoMoreThanArePrinted) {
+  EXPECT_EQ(agreement_of("49.3", 49.34), "all digits");
+  EXPECT_EQ(agreement_of("49.3", 49.36), "2 of 3 digits") << "it would print as 49.4";
+  EXPECT_EQ(agreement_of("1.02", 1.0249), "all digits");
+  EXPECT_EQ(agreement_of("1.02", 1.03), "2 of 3 digits");
+  EXPECT_EQ(agreement_of("0.050", 0.051), "1 of 2 digits");
+  EXPECT_EQ(agreement_of("-200", -202.0), "2 of 3 digits");
+  EXPECT_EQ(agreement_of("-1e-3", -1.4e-3), "all digits");
+  EXPECT_EQ(agreement_of("0,8", 0.9), "0 of 1 digit");
+  EXPECT_EQ(agreement_of("5200", -1e8), "0 of 4 digits");
+}
+
+TEST(Agreement, IsNotShownForSampledValues) {
+  TwoHundred by_reason, by_size;
+  by_reason.claim.checks[0].why = "sampling error";
+  by_size.run.records[0].sample_size = 30;
+  EXPECT_EQ(by_reason.agreement(), "");
+  EXPECT_EQ(by_size.agreement(), "");
 }
 
 TEST(Agreement, IsNotInventedForOtherChecks) {

@@ -7,8 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/document_claims.hpp"
-#include "reports/document_numbers.hpp"
-#include "reports/document_summary.hpp"
+#include "reports/expectation.hpp"
 
 namespace phytobench {
 
@@ -22,6 +21,7 @@ struct Group {
   bool (*holds)(const Judgement&);
 };
 
+/// What failed or is inconclusive first; each claim once.
 constexpr Group groups[] = {
     {"Not reproduced", "not-reproduced",
      [](const Judgement& j) { return j.verdict == Verdict::not_reproduced; }},
@@ -29,6 +29,11 @@ constexpr Group groups[] = {
      [](const Judgement& j) { return j.verdict == Verdict::inconclusive; }},
     {"Other than this suite expects", "unexpected",
      [](const Judgement& j) { return j.is_unexpected() && j.verdict != Verdict::not_reproduced; }},
+    {"Expected otherwise, but known to depend on the machine", "by-machine",
+     [](const Judgement& j) {
+       return expectation_of(j) == Expectation::depends_on_machine &&
+              j.verdict != Verdict::not_reproduced;
+     }},
 };
 
 ordered_json claim_part(const Paper& paper, const Judgement& judgement, bool without_varying) {
@@ -56,30 +61,6 @@ ordered_json attention_document(const JudgedRun& judged, bool without_varying) {
                      {"claims", std::move(claims)}});
   }
   return parts;
-}
-
-ordered_json limits_document(const JudgedRun& judged, bool without_varying) {
-  const ClaimCounts counts = counts_of(judged, without_varying);
-  ordered_json limits = ordered_json::array();
-  if (counts.not_seen > 0)
-    limits.push_back(fmt::format(
-        "{} checks that this run did not feed: it is of tier {}, or leaves experiments out.",
-        counted(counts.not_seen, "claim has", "claims have"), name_of(judged.run.header.tier)));
-  for (const char* limit :
-       {"Absolute seconds of another machine, compiler and language are never compared; ratios, "
-        "orderings and exponents are, within one run.",
-        "Intervals cover the noise between rounds of this run, not the choice of machine, compiler "
-        "or memory layout.",
-        "Counts rest on one random seed where the works published one. Agreement shows that the "
-        "published numbers are compatible with the text, not that the works' programs were the "
-        "same as ours.",
-        "A verdict of the basis assumed holds for the reading that is stated beside it; other "
-        "readings may give another verdict. One of the basis fitted shows that a parameter exists, "
-        "no more.",
-        "The suite's own code can be wrong. Independent transcriptions of the printed equations, "
-        "laws and counter-examples guard it, but nobody else has reviewed these verdicts."})
-    limits.push_back(limit);
-  return limits;
 }
 
 }  // namespace phytobench

@@ -7,10 +7,8 @@
 
 namespace phytobench {
 
-/// What needs attention, in groups: refuted, undecided and unexpected verdicts.
+/// What needs attention, in groups: refuted and undecided verdicts, unexpected ones, and those that
+/// are not the expected ones because they depend on the machine.
 nlohmann::ordered_json attention_document(const JudgedRun& judged, bool without_varying);
-
-/// What this run cannot tell, as sentences.
-nlohmann::ordered_json limits_document(const JudgedRun& judged, bool without_varying);
 
 }  // namespace phytobench

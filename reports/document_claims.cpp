@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "reports/document_claims.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "reports/document_agreement.hpp"
 #include "reports/document_anchors.hpp"
 #include "reports/document_locators.hpp"
+#include "reports/document_measured.hpp"
+#include "reports/expectation.hpp"
 #include "reports/repeat_commands.hpp"
 
 namespace phytobench {
@@ -37,12 +41,24 @@ ordered_json check_part(const JudgedCheck& check) {
                    {"term_count", check.terms.size()},
                    {"several", check.terms.size() > 1},
                    {"terms", ordered_json::array()}};
+  const bool alike = std::all_of(check.terms.begin(), check.terms.end(),
+                                 [&](const auto& term) { return term.outcome == check.outcome; });
+  row["alike"] = alike;
+  row["mixed"] = !alike;
   for (const JudgedTerm& term : check.terms)
-    row["terms"].push_back({{"expression", term.expression},
+    row["terms"].push_back({{"expression", shown_expression(term)},
                             {"measured", term.measured},
                             {"outcome", outcome_word(term.outcome)},
                             {"first", row["terms"].empty()}});
   return row;
+}
+
+/// Whether a value stands with its interval, which readers must be told.
+bool rests_on_intervals(const Judgement& judgement) {
+  for (const JudgedCheck& check : judgement.checks)
+    for (const JudgedTerm& term : check.terms)
+      if (term.measured.find(" [") != std::string::npos) return true;
+  return false;
 }
 
 std::string search_tokens(const std::string& locator) {
@@ -62,10 +78,14 @@ void add_text(ordered_json& part, const std::string& key, const std::string& tex
 void add_prediction(ordered_json& part, const Judgement& judgement, bool hidden) {
   const Claim& claim = *judgement.claim;
   const auto predicted = claim.predicted_verdict;
-  add_text(part, "predicted", predicted ? std::string(name_of(*predicted)) : "");
+  add_text(part, "predicted", predicted ? std::string(label_of(*predicted)) : "");
   part["differs"] = predicted && !hidden && !lacks_evidence(judgement) &&
                     claim.missing_model.empty() && judgement.verdict != Verdict::inconclusive &&
                     judgement.verdict != *predicted;
+  const bool as_predicted =
+      predicted && !hidden && judgement.verdict == *predicted && claim.difference.empty();
+  part["as_predicted"] = as_predicted;
+  part["shows_prediction"] = predicted && !as_predicted;
   add_text(part, "difference", claim.difference);
   add_text(part, "machine_dependence", claim.machine_dependence);
   add_text(part, "missing_model", claim.missing_model);
@@ -96,7 +116,9 @@ std::string published_with_unit(const Claim& claim) {
   const std::string &published = claim.published, &unit = claim.unit;
   const bool needs_none = published.empty() || published == "-" || unit.empty() || unit == "1" ||
                           published.find(unit) != std::string::npos;
-  return needs_none ? published : published + " " + unit;
+  if (needs_none) return published;
+  const bool several_degrees = unit == "degree" && published != "1";
+  return published + " " + unit + (several_degrees ? "s" : "");
 }
 
 std::string verdict_class(Verdict verdict) {
@@ -111,7 +133,7 @@ ShownVerdict shown_verdict(const Judgement& judgement, bool without_varying) {
   if (without_varying && judgement.varies)
     return {left_out_row, left_out_class, left_out_class, true};
   const VerdictRow& row = row_of(judgement);
-  return {std::string(row.name), row_class(row), slug(row.name), false};
+  return {std::string(row.name), row_class(row), slug(row.identifier), false};
 }
 
 ordered_json claim_brief(const Judgement& judgement, bool without_varying) {
@@ -133,8 +155,10 @@ ordered_json claim_brief(const Judgement& judgement, bool without_varying) {
   part["row"] = shown.row;
   part["reason"] = judgement.reason;
   part["varies"] = judgement.varies;
-  part["unexpected"] = !shown.hidden && judgement.is_unexpected();
-  part["expected"] = name_of(claim.expected_verdict);
+  const Expectation expectation = expectation_of(judgement);
+  part["unexpected"] = !shown.hidden && expectation == Expectation::unexpected;
+  part["by_machine"] = !shown.hidden && expectation == Expectation::depends_on_machine;
+  part["expected"] = label_of(claim.expected_verdict);
   add_prediction(part, judgement, shown.hidden);
   return part;
 }
@@ -150,7 +174,7 @@ ordered_json claim_document(const Judgement& judgement, const ClaimContext& cont
   add_text(part, "erratum", claim.erratum);
   part["erratum_anchor"] = erratum_anchor(claim.paper, claim.erratum);
   add_assumptions(part, claim, context);
-  add_text(part, "measured", hidden ? left_out_row : judgement.measured);
+  add_text(part, "measured", hidden ? left_out_row : shown_measured(judgement));
   const std::string agreement = shown_agreement(claim, context.evidence);
   add_text(part, "agreement", judgement.contradicted ? "" : agreement);  // it is of one run only
   add_repeat(part, claim, context);
@@ -158,6 +182,8 @@ ordered_json claim_document(const Judgement& judgement, const ClaimContext& cont
   if (!hidden)
     for (const JudgedCheck& check : judgement.checks) part["checks"].push_back(check_part(check));
   part["has_checks"] = !part["checks"].empty();
+  part["has_intervals"] = !hidden && rests_on_intervals(judgement);
+  part["shows_intervals"] = part["measured"].get<std::string>().find(" [") != std::string::npos;
   return part;
 }
 
@@ -167,7 +193,7 @@ ordered_json claim_problems(const Judgement& judgement) {
     if (check.outcome == CheckOutcome::holds) continue;
     for (const JudgedTerm& term : check.terms)
       if (term.outcome != CheckOutcome::holds)
-        problems.push_back({{"expression", term.expression},
+        problems.push_back({{"expression", shown_expression(term)},
                             {"measured", term.measured},
                             {"outcome", outcome_word(term.outcome)},
                             {"wanted", check.wanted}});

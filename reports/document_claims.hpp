@@ -22,7 +22,7 @@ inline constexpr const char* left_out_class = "left-out";
 struct ShownVerdict {
   std::string label;    ///< "reproduced, fitted"
   std::string look;     ///< class of its colour: "fitted"
-  std::string row;      ///< class of the row: "reproduced-fitted"
+  std::string row;      ///< class of the row, by its identifier: "reproduced-fitted"
   bool hidden = false;  ///< it rests on times, and those are left out
 };
 

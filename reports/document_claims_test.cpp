@@ -59,6 +59,54 @@ TEST(ClaimDocument, SeesTheUnitInItsPlural) {
   EXPECT_EQ(of.document()["published_text"], "180 and 120 degrees");
 }
 
+TEST(ClaimDocument, NamesSeveralDegrees) {
+  OneClaim of;
+  of.claim.published = "60";
+  of.claim.unit = "degree";
+  EXPECT_EQ(of.document()["published_text"], "60 degrees");
+  of.claim.published = "1";
+  EXPECT_EQ(of.document()["published_text"], "1 degree");
+}
+
+TEST(ClaimDocument, SaysOnceWhatAllTermsOfACheckShare) {
+  OneClaim of;
+  EXPECT_EQ(of.document()["checks"][0]["mixed"], true);
+  of.judgement.checks[0].terms[1].outcome = CheckOutcome::holds;
+  EXPECT_EQ(of.document()["checks"][0]["alike"], true);
+  EXPECT_EQ(of.document()["checks"][0]["mixed"], false);
+}
+
+TEST(ClaimDocument, ExplainsIntervalsWhereThereAreSome) {
+  OneClaim of;
+  EXPECT_EQ(of.document()["has_intervals"], false);
+  of.judgement.checks[0].terms[0].measured = "1.9 [1.8, 2.0]";
+  EXPECT_EQ(of.document()["has_intervals"], true);
+}
+
+TEST(ClaimDocument, SaysWhereAVerdictDependsOnTheMachine) {
+  OneClaim of;
+  of.claim.machine_dependence = "above 10 here, below 10 there";
+  of.judgement.varies = true;
+  EXPECT_EQ(of.document()["by_machine"], false) << "it is the expected one";
+  of.judgement.verdict = Verdict::not_reproduced;
+  EXPECT_EQ(of.document()["by_machine"], true);
+  EXPECT_EQ(of.document()["unexpected"], false);
+  EXPECT_EQ(of.document(true)["by_machine"], false) << "hidden";
+}
+
+TEST(ClaimDocument, TellsItsPredictionApartOnlyWhereItSaysMore) {
+  OneClaim of;
+  EXPECT_EQ(of.document()["shows_prediction"], false);
+  of.claim.predicted_verdict = Verdict::reproduced;
+  EXPECT_EQ(of.document()["as_predicted"], true);
+  EXPECT_EQ(of.document()["shows_prediction"], false);
+  of.claim.difference = "It changed.";
+  EXPECT_EQ(of.document()["shows_prediction"], true);
+  of.claim.difference = "";
+  of.judgement.verdict = Verdict::not_reproduced;
+  EXPECT_EQ(of.document()["shows_prediction"], true);
+}
+
 TEST(ClaimDocument, HasNoAgreementOfOneRunWhereRunsDisagree) {
   OneClaim of;
   of.claim.checks = {{.terms = {{"b/x/edges"}}, .equals = 5200.0}};

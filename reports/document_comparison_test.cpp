@@ -48,8 +48,8 @@ struct TwoRuns {
                           .merged = Verdict::reproduced,
                           .varies = true}};
     comparison.records = {.in_all = 5, .shared = 6, .equal = 5, .differing = {}, .only_in = {1, 0}};
-    comparison.records.differing = {
-        {.measurement = "p/e/x_y", .values = {"1", std::nullopt}, .relative = 0.25}};
+    comparison.records.differing = {{"p/e", "p/e/x_y", {"1", std::nullopt}, 0.25}};
+    comparison.records.shared_of = {{"p/e", 6}};
   }
 
   ordered_json document(bool without_varying = false) const {
@@ -67,7 +67,7 @@ TEST(ComparisonDocument, NamesWhatRunsDecideDifferently) {
   const ordered_json document = TwoRuns().document();
   ASSERT_EQ(document["contradicted"].size(), 1u);
   EXPECT_EQ(document["contradicted"][0]["id"], "p/count");
-  EXPECT_EQ(document["contradicted"][0]["cells"][1]["run"], "Clang on X");
+  EXPECT_EQ(document["contradicted"][0]["cells"][1]["run"], "B");
   EXPECT_EQ(document["contradicted"][0]["cells"][1]["verdict"], "not reproduced");
   EXPECT_EQ(document["decided_by_all"], 1);
   EXPECT_EQ(document["decided_by_some"], 1);
@@ -88,35 +88,24 @@ TEST(ComparisonDocument, ShowsClaimsOnTimesRunByRun) {
   EXPECT_EQ(document["timings"][0]["cells"][1]["measured"], "1.9 [1.0, 2.8]");
 }
 
-TEST(ComparisonDocument, SaysWhereRunsComeFromAndWhatOfItDiffers) {
+TEST(ComparisonDocument, CallsRunsByLettersAndSaysWhatTheyAre) {
   TwoRuns runs;
-  const auto fact = [&](const std::string& name) {
-    const ordered_json document = runs.document();
-    for (const ordered_json& row : document["facts"])
-      if (row["name"] == name) return row;
-    return ordered_json();
-  };
-  EXPECT_EQ(fact("compiler")["cells"], (ordered_json{"GNU 12", "Clang"}));
-  EXPECT_EQ(fact("compiler")["differs"], true);
-  EXPECT_EQ(fact("processor")["cells"], (ordered_json{"not recorded", "not recorded"}));
-  EXPECT_EQ(fact("tier")["differs"], false);
-  EXPECT_TRUE(runs.document()["notes"].empty());
-  runs.comparison.runs[1].contents.header = {Tier::full, 7};
-  EXPECT_EQ(fact("tier")["differs"], true);
-  EXPECT_EQ(runs.document()["notes"].size(), 2u) << "tier and seed";
+  runs.comparison.runs[0].folder = "results/a";
+  const ordered_json document = runs.document();
+  EXPECT_EQ(document["labels"], (ordered_json{"A", "B"}));
+  EXPECT_EQ(document["facts"][0]["cells"], (ordered_json{"GCC on X", "Clang on X"}));
 }
 
-TEST(ComparisonDocument, NamesTheFirstDifferingRecordsAndCountsTheRest) {
+TEST(ComparisonDocument, SaysNothingPublishedWhereNothingIs) {
   TwoRuns runs;
-  EXPECT_EQ(runs.document()["records"]["has_more"], false);
-  const DifferingRecord one = runs.comparison.records.differing[0];
-  runs.comparison.records.differing.assign(25, one);
-  const ordered_json records = runs.document()["records"];
-  EXPECT_EQ(records["differing"], 25);
-  EXPECT_EQ(records["first"].size(), 20u);
-  EXPECT_EQ(records["more"], 5);
-  EXPECT_EQ(records["first"][0]["cells"], (ordered_json{"1", "-"}));
-  EXPECT_EQ(records["first"][0]["relative"], "0.25");
+  EXPECT_EQ(runs.document()["contradicted"][0]["has_published"], false);
+  EXPECT_THAT(runs.rendered("html/comparison.mustache", EscapeFor::html),
+              Not(HasSubstr("Published: ")));
+  runs.merged.papers[0].claims.claims[0].published = "4";
+  runs.merged.papers[0].claims.claims[0].unit = "m";
+  for (const auto& [name, format] : {std::pair{"html/comparison.mustache", EscapeFor::html},
+                                     std::pair{"md/comparison.mustache", EscapeFor::markdown}})
+    EXPECT_THAT(runs.rendered(name, format), HasSubstr("Published: 4 m."));
 }
 
 TEST(ComparisonDocument, HoldsNoTimeAndNoMachineWhenWhatVariesIsLeftOut) {
@@ -131,19 +120,32 @@ TEST(ComparisonDocument, HoldsNoTimeAndNoMachineWhenWhatVariesIsLeftOut) {
 TEST(ComparisonTemplate, SaysItInHtml) {
   const std::string html = TwoRuns().rendered("html/comparison.mustache", EscapeFor::html);
   for (const char* part : {"id=\"comparison\"", "2 runs side by side", "A claim &lt;on&gt; things",
-                           "<th scope=\"row\">Clang on X</th>", "<code>p/e/x_y</code>", "1 differ",
-                           "1 are in GCC on X alone", "2.1 [2.0, 2.2]"})
+                           "<th scope=\"row\">B</th>", "<code>x_y</code>", "<td>Clang on X</td>",
+                           "<td colspan=\"2\">quick</td>", "2.1 [2.0, 2.2]", "1 differs; the other",
+                           "<summary><code>p/e</code>: 1 of 6 differ"})
     EXPECT_THAT(html, HasSubstr(part));
   EXPECT_THAT(html, Not(HasSubstr("{{")));
 }
 
 TEST(ComparisonTemplate, SaysItInMarkdown) {
   const std::string text = TwoRuns().rendered("md/comparison.mustache", EscapeFor::markdown);
-  for (const char* part :
-       {"## 2 runs side by side", "  - Clang on X: **not reproduced**, measured 6",
-        "| p/e/x\\_y | 1 | - | 0.25 |", "**1 differ**", "| compiler (differs) | GNU 12 | Clang |"})
+  for (const char* part : {"## 2 runs side by side", "  - B: **not reproduced**, measured 6",
+                           "#### p/e: 1 of 6 differ", "| x\\_y | 1 | - | 0.25 |",
+                           "**1 differs; the other", "| compiler (differs) | GNU 12 | Clang |"})
     EXPECT_THAT(text, HasSubstr(part));
   EXPECT_THAT(text, Not(HasSubstr("{{")));
+}
+
+TEST(ComparisonTemplate, BeginsWithItsWarnings) {
+  TwoRuns runs;
+  runs.comparison.runs[1].contents.header.seed = 7;
+  for (const auto& [name, format] : {std::pair{"html/comparison.mustache", EscapeFor::html},
+                                     std::pair{"md/comparison.mustache", EscapeFor::markdown}}) {
+    const std::string text = runs.rendered(name, format);
+    const std::size_t warning = text.find("The runs have different seeds");
+    ASSERT_NE(warning, std::string::npos) << name;
+    EXPECT_LT(warning, text.find("Each run was judged alone")) << name;
+  }
 }
 
 TEST(ComparisonTemplate, SaysNothingOfASingleRun) {

@@ -46,6 +46,7 @@ ordered_json example_part(const CounterExample& example) {
 }
 
 ordered_json erratum_part(const JudgedPaper& judged, const Erratum& erratum) {
+  const bool of_program = erratum.kind == ErratumKind::program;
   ordered_json part{{"id", erratum.id},
                     {"anchor", erratum_anchor(judged.paper.key, erratum.id)},
                     {"locator", erratum.locator},
@@ -53,6 +54,9 @@ ordered_json erratum_part(const JudgedPaper& judged, const Erratum& erratum) {
                     {"has_kind", erratum.kind.has_value()},
                     {"printed", erratum.printed},
                     {"corrected", erratum.corrected},
+                    {"of_program", of_program},
+                    {"other_form", of_program ? "What the program does" : "Corrected"},
+                    {"other_form_short", of_program ? "in the program" : "corrected"},
                     {"consequence", erratum.consequence},
                     {"check", erratum.check},
                     {"has_check", !erratum.check.empty()},

@@ -45,6 +45,17 @@ TEST(Errata, LeadToClaimsThatAreThere) {
   EXPECT_EQ(errata[0]["has_claims"], false);
 }
 
+TEST(Errata, DoNotCallCorrectedWhatOnlyTheProgramDoesOtherwise) {
+  PaperWithErrata of;
+  of.paper.errata[0].kind = ErratumKind::program;
+  of.paper.errata[1].kind = ErratumKind::formula;
+  const auto errata = errata_document(of.paper);
+  EXPECT_EQ(errata[0]["other_form"], "Corrected");
+  EXPECT_EQ(errata[0]["other_form_short"], "corrected");
+  EXPECT_EQ(errata[1]["other_form"], "What the program does");
+  EXPECT_EQ(errata[1]["other_form_short"], "in the program");
+}
+
 TEST(Errata, NameTheInputsOfTheirExample) {
   const auto example = errata_document(PaperWithErrata().paper)[0]["example"];
   EXPECT_EQ(example["inputs"][1]["name"], "distance");

@@ -30,7 +30,7 @@ std::string lower(std::string_view text) {
 }
 
 std::optional<PlaceKind> kind_named(const std::string& word) {
-  constexpr std::array<std::pair<std::string_view, PlaceKind>, 16> names = {
+  constexpr std::array<std::pair<std::string_view, PlaceKind>, 17> names = {
       {{"eq", PlaceKind::equation},
        {"eqs", PlaceKind::equation},
        {"equation", PlaceKind::equation},
@@ -44,6 +44,7 @@ std::optional<PlaceKind> kind_named(const std::string& word) {
        {"sec", PlaceKind::section},
        {"section", PlaceKind::section},
        {"sections", PlaceKind::section},
+       {"ch", PlaceKind::section},
        {"chapter", PlaceKind::section},
        {"chapters", PlaceKind::section},
        {"listing", PlaceKind::listing}}};
@@ -85,10 +86,12 @@ class LocatorReader {
 
   void take_number() {
     const std::size_t start = at_;
+    const bool is_in_a_name = start > 0 && is_letter(text_[start - 1]);  // p1 of an L-system
     while (at_ < text_.size() &&
            (is_digit(text_[at_]) || text_[at_] == '.' || (at_ == start && is_capital(text_[at_]))))
       ++at_;
     std::string number(text_.substr(start, at_ - start));
+    if (is_in_a_name) return;
     if (number.back() == '.') number.pop_back();
     const bool in_brackets = start > 0 && text_[start - 1] == '(';
     const bool dotted = number.find('.') != std::string::npos;
@@ -215,6 +218,8 @@ std::string search_token(const Place& place) {
       return "tab:" + place.number;
     case PlaceKind::section:
       return "sec:" + place.number;
+    case PlaceKind::listing:
+      return "lst:" + place.number;
     default:
       return "";
   }

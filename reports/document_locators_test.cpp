@@ -34,6 +34,7 @@ TEST(Locators, NameSeveralPlaces) {
             "Figure 7.5, Figure 7.9, Section 7.4, Section 7.6");
   EXPECT_EQ(places("summary, sections 1.2 and 9"), "Section 1.2, Chapter 9");
   EXPECT_EQ(places("figures 40 left and 45"), "Figure 40, Figure 45");
+  EXPECT_EQ(places("section 1.1, ch. 6"), "Section 1.1, Chapter 6");
   EXPECT_EQ(places("2.1, (2.1)"), "Section 2.1, Equation 2.1");
   EXPECT_EQ(places("(2.1), growth law of 4.3"), "Equation 2.1, Section 4.3");
 }
@@ -47,6 +48,8 @@ TEST(Locators, LeaveOutWhatIsNoPlace) {
   EXPECT_EQ(places("sec. 2.2, steps 3 and 4"), "Section 2.2");
   EXPECT_EQ(places("figure 5.2 a, c; sec. 5.2.1"), "Figure 5.2, Section 5.2.1");
   EXPECT_EQ(places("appendix table, row 4"), "Appendix table");
+  EXPECT_EQ(places("eq. 7, p2, p3; sec. 3.4.2"), "Equation 7, Section 3.4.2");
+  EXPECT_EQ(places("sec. 3.4.4 with footnote 2, fig. 20"), "Section 3.4.4, Figure 20");
 }
 
 TEST(Locators, KeepATextWithoutAnyPlace) {

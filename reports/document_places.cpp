@@ -55,6 +55,7 @@ ordered_json link_document(const ClaimLink& link) {
 ClaimIndex::ClaimIndex(const std::vector<Judgement>& judgements, bool without_varying) {
   for (const Judgement& judgement : judgements) {
     const Claim& claim = *judgement.claim;
+    paper_ = claim.paper;
     const ShownVerdict shown = shown_verdict(judgement, without_varying);
     const std::vector<Place> places = places_of(claim.locator);
     for (const Place& place : places) by_place_[place].push_back(links_.size());
@@ -63,7 +64,8 @@ ClaimIndex::ClaimIndex(const std::vector<Judgement>& judgements, bool without_va
     for (const ClaimCheck& check : claim.checks)
       if (check.subject == CheckSubject::value)
         for (const auto& term : check.terms) by_measurement_.emplace(term.at(0), links_.size());
-    links_.push_back({claim_anchor(claim.id), short_claim_id(claim.id), shown.label, shown.look});
+    links_.push_back({claim_anchor(claim.id), short_claim_id(claim.id), shown.label, shown.look,
+                      claim.digits, claim.published});
   }
 }
 
@@ -86,13 +88,64 @@ const ClaimLink* ClaimIndex::about(const std::string& measurement) const {
   return find(by_measurement_, measurement);
 }
 
+std::vector<std::string> ClaimIndex::table_names_from(const std::string& start) const {
+  std::map<std::size_t, std::string> names;
+  for (auto at = by_table_name_.lower_bound(start);
+       at != by_table_name_.end() && at->first.starts_with(start); ++at)
+    names[at->second] = at->first.substr(start.size());
+  std::vector<std::string> ordered;
+  for (const auto& [claim, name] : names) ordered.push_back(name);
+  return ordered;
+}
+
+/// It or, of a section, anything in it.
+bool ClaimIndex::has_claims(const Place& place, const std::vector<KnownPlace>& known) const {
+  if (by_place_.contains(place)) return true;
+  return place.kind == PlaceKind::section &&
+         std::any_of(known.begin(), known.end(), [&](const KnownPlace& other) {
+           return other.section == place.number && has_claims(other.place, known);
+         });
+}
+
+/// What a reader finds who looks for a place that no claim names.
+std::string ClaimIndex::without_claims(const KnownPlace& place,
+                                       const std::vector<KnownPlace>& known) const {
+  if (place.place.kind != PlaceKind::section) {
+    const Place section{PlaceKind::section, place.section};
+    return "No checkable statement of its own found" +
+           (has_claims(section, known) ? "; there are claims on " + shown(section) : "");
+  }
+  std::string parts;
+  for (const KnownPlace& other : known)
+    if (other.section == place.place.number && has_claims(other.place, known))
+      parts += (parts.empty() ? "" : ", ") + shown(other.place);
+  return parts.empty() ? "No checkable statement found"
+                       : "No claim on it as a whole; there are claims on " + parts;
+}
+
 ordered_json ClaimIndex::document() const {
+  const std::vector<KnownPlace> known =
+      paper_.empty() ? std::vector<KnownPlace>{} : known_places(paper_);
+  std::map<Place, const KnownPlace*> places;
+  for (const auto& [place, claims] : by_place_) places[place] = nullptr;
+  for (const KnownPlace& each : known) places[each.place] = &each;
   ordered_json kinds = ordered_json::array();
-  for (const auto& [place, claims] : by_place_) {
-    const std::string title(heading_of(place.kind));
+  for (const auto& [place, where] : places) {
+    const std::string title(heading_of(place.kind)), token = search_token(place);
     if (kinds.empty() || kinds.back()["title"] != title)
       kinds.push_back({{"title", title}, {"rows", ordered_json::array()}});
-    kinds.back()["rows"].push_back({{"place", shown(place)}, {"groups", groups_of(at(place))}});
+    const bool has_claim = by_place_.contains(place);
+    kinds.back()["rows"].push_back(
+        {{"place", shown(place)},
+         {"token", token},
+         {"has_token", !token.empty()},
+         {"has_pages", where != nullptr},
+         {"pages", where ? shown_pages(*where) : ""},
+         {"first_page", where ? where->first_page : 0},
+         {"last_page", where ? where->last_page : 0},
+         {"groups", groups_of(at(place))},
+         {"has_claims", has_claim},
+         {"without_claims", has_claim ? "" : without_claims(*where, known)}});
   }
   return kinds;
 }

@@ -8,6 +8,7 @@
 
 #include "reports/document_anchors.hpp"
 #include "reports/document_claims.hpp"
+#include "reports/expectation.hpp"
 #include "reports/verdict_counts.hpp"
 
 namespace phytobench {
@@ -32,7 +33,7 @@ std::size_t total_of(const Counts& counts) {
 class PredictionsDocument {
  public:
   PredictionsDocument(const JudgedRun& judged, bool without_varying)
-      : without_varying_(without_varying) {
+      : without_varying_(without_varying), by_machine_(machine_dependent(judged, without_varying)) {
     for (const JudgedPaper& paper : judged.papers)
       for (const Judgement& judgement : paper.judgements) add(judgement);
   }
@@ -55,11 +56,15 @@ class PredictionsDocument {
                           {"has_differences", !differences_.empty()},
                           {"fixed_differences", fixed_differences_},
                           {"has_fixed_differences", !fixed_differences_.empty()},
+                          {"by_machine", by_machine_},
+                          {"by_machine_count", by_machine_.size()},
+                          {"has_by_machine", !by_machine_.empty()},
                           {"waiting", waiting()},
                           {"has_waiting", !waiting_.empty()}};
     for (const Verdict found : all_verdicts)
       if (count_in(found_, found) > 0)
-        document["columns"].push_back({{"label", name_of(found)}, {"class", verdict_class(found)}});
+        document["columns"].push_back(
+            {{"label", label_of(found)}, {"class", verdict_class(found)}});
     for (const Verdict predicted : all_verdicts)
       if (count_in(predicted_, predicted) > 0) document["rows"].push_back(row(predicted));
     return document;
@@ -117,7 +122,7 @@ class PredictionsDocument {
   }
 
   ordered_json row(Verdict predicted) const {
-    ordered_json row{{"predicted", name_of(predicted)},
+    ordered_json row{{"predicted", label_of(predicted)},
                      {"class", verdict_class(predicted)},
                      {"cells", ordered_json::array()},
                      {"fixed", count_in(fixed_, predicted)},
@@ -147,10 +152,21 @@ class PredictionsDocument {
   std::map<Verdict, Counts> cells_;  ///< by predicted, then found verdict
   std::size_t same_ = 0, undecided_ = 0, fixed_same_ = 0, unpredicted_ = 0;
   ordered_json differences_ = ordered_json::array(), fixed_differences_ = ordered_json::array();
+  ordered_json by_machine_;
   std::map<std::string, ordered_json> waiting_;  ///< claims by the model they wait for
 };
 
 }  // namespace
+
+ordered_json machine_dependent(const JudgedRun& judged, bool without_varying) {
+  ordered_json claims = ordered_json::array();
+  for (const JudgedPaper& paper : judged.papers)
+    for (const Judgement& judgement : paper.judgements)
+      if (expectation_of(judgement) == Expectation::depends_on_machine &&
+          !shown_verdict(judgement, without_varying).hidden)
+        claims.push_back(claim_brief(judgement, without_varying));
+  return claims;
+}
 
 ordered_json predictions_document(const JudgedRun& judged, bool without_varying) {
   return PredictionsDocument(judged, without_varying).build();

@@ -12,4 +12,8 @@ namespace phytobench {
 /// ones and those that wait for a model are counted apart: nothing was found for them.
 nlohmann::ordered_json predictions_document(const JudgedRun& judged, bool without_varying);
 
+/// Claims whose verdict is not the expected one and is known to depend on the machine: neither as
+/// expected nor unexpected.
+nlohmann::ordered_json machine_dependent(const JudgedRun& judged, bool without_varying);
+
 }  // namespace phytobench

@@ -68,6 +68,19 @@ TEST(Predictions, NameEachDifferenceWithItsReason) {
   EXPECT_EQ(document["waiting"][0]["model"], "L-systems");
 }
 
+TEST(Predictions, ListWhatDependsOnTheMachineApart) {
+  FiveClaims claims;
+  EXPECT_EQ(predictions_document(claims.judged, false)["has_by_machine"], false);
+  claims.same.machine_dependence = "above 10 here, below 10 there";
+  claims.judged.papers[0].judgements[0].verdict = Verdict::not_reproduced;
+  claims.judged.papers[0].judgements[0].varies = true;
+  const auto document = predictions_document(claims.judged, false);
+  ASSERT_EQ(document["by_machine"].size(), 1u);
+  EXPECT_EQ(document["by_machine"][0]["id"], "b/same");
+  EXPECT_EQ(document["by_machine"][0]["expected"], "reproduced");
+  EXPECT_EQ(predictions_document(claims.judged, true)["by_machine_count"], 0);
+}
+
 TEST(Predictions, TellNothingOfAHiddenVerdict) {
   FiveClaims claims;
   claims.judged.papers[0].judgements[1].varies = true;

@@ -2,11 +2,13 @@
 #include "reports/document_scaling.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "reports/document_intervals.hpp"
 #include "reports/document_numbers.hpp"
 #include "reports/document_tables.hpp"
 #include "reports/repeat_commands.hpp"
@@ -27,8 +29,13 @@ ordered_json no_cell() {
   return table_cell("-");
 }
 
-const char* name_of(JudgedAim::State state) {
-  switch (state) {
+/// "open: 3 rounds, 6 needed".
+std::string lacking_rounds(std::size_t rounds) {
+  return fmt::format("open: {}, {} needed", counted(rounds, "round"), fewest_rounds);
+}
+
+std::string state_of(const JudgedAim& aim) {
+  switch (aim.state) {
     case JudgedAim::State::reached:
       return "aim reached";
     case JudgedAim::State::must_reached:
@@ -36,7 +43,8 @@ const char* name_of(JudgedAim::State state) {
     case JudgedAim::State::missed:
       return "missed";
     case JudgedAim::State::open:
-      return "open: the interval holds the bound";
+      return aim.measured.is_only_range() ? lacking_rounds(aim.measured.rounds)
+                                          : "open: the interval holds the bound";
     case JudgedAim::State::not_measured:
       return "not measured";
   }
@@ -59,8 +67,9 @@ class ScalingDocument {
           {{"name", name},
            {"svg", svg},
            {"varies", name.ends_with("-time")},
-           {"caption", name.ends_with("-time") ? "Time of one growth, with 95 % intervals."
-                                               : "Distance evaluations of one growth."}});
+           {"caption", name.ends_with("-time")
+                           ? fmt::format("Time of one growth: median and its {}.", ends_of_medians)
+                           : "Distance evaluations of one growth."}});
     document_["grids"] = ordered_json::array();
     add_laws();
     add_sizes();
@@ -68,6 +77,7 @@ class ScalingDocument {
     document_["crossovers"] = hide_varying_ ? ordered_json::array() : crossovers();
     document_["has_crossovers"] = !document_["crossovers"].empty();
     document_["aims"] = aims();
+    document_["ends"] = ends_of_medians;
     document_["has_aims"] = !document_["aims"].empty();
     return document_;
   }
@@ -103,12 +113,12 @@ class ScalingDocument {
                                        : no_cell();
                 });
     if (hide_varying_) return;
-    add_by_size("Time of one growth", "median and its 95 % interval", true,
+    add_by_size("Time of one growth", fmt::format("median and its {}", ends_of_medians), true,
                 [](const ScaledEntry::AtSize& at) {
                   if (!at.seconds) return no_cell();
-                  return table_cell(
-                      shown_seconds(at.seconds->value),
-                      shown_seconds(at.seconds->low) + " to " + shown_seconds(at.seconds->high));
+                  return table_cell(shown_seconds(at.seconds->value),
+                                    shown_ends(*at.seconds, shown_seconds(at.seconds->low),
+                                               shown_seconds(at.seconds->high)));
                 });
     add_by_size("Memory", "bytes per attraction point that the engine holds", true,
                 [](const ScaledEntry::AtSize& at) {
@@ -178,10 +188,11 @@ class ScalingDocument {
   ordered_json crossovers() const {
     ordered_json lines = ordered_json::array();
     for (const Crossover& crossover : scaling_.crossovers)
-      lines.push_back(fmt::format("{} overtakes {} between {} and {} points (about {})",
-                                  crossover.overtaking, crossover.overtaken,
-                                  with_thousands(crossover.low), with_thousands(crossover.high),
-                                  with_thousands(two_digits(crossover.about))));
+      lines.push_back(
+          fmt::format("{} overtakes {} between {} and {} points (about {}){}", crossover.overtaking,
+                      crossover.overtaken, with_thousands(crossover.low),
+                      with_thousands(crossover.high), with_thousands(two_digits(crossover.about)),
+                      crossover.is_open() ? "; " + lacking_rounds(crossover.rounds) : ""));
     return lines;
   }
 
@@ -189,25 +200,34 @@ class ScalingDocument {
     ordered_json rows = ordered_json::array();
     for (const JudgedAim& aim : scaling_.aims) {
       if (hide_varying_ && aim.varies) continue;
-      const bool measured = aim.state != JudgedAim::State::not_measured;
-      const bool exact = aim.measured.low == aim.measured.high;
-      const bool missed = measured && aim.state != JudgedAim::State::reached;
-      rows.push_back(
-          {{"text", aim.aim.text},
-           {"must", fmt::format("{} {:g}", aim.aim.more_is_better() ? "at least" : "at most",
-                                aim.aim.must)},
-           {"aim", fmt::format("{:g}", aim.aim.aim)},
-           {"measured", measured ? fmt::format("{:.3g}", aim.measured.value) : "-"},
-           {"interval", measured && !exact
-                            ? fmt::format("{:.3g} to {:.3g}", aim.measured.low, aim.measured.high)
-                            : ""},
-           {"has_interval", measured && !exact},
-           {"state", name_of(aim.state)},
-           {"varies", aim.varies},
-           {"limits", missed ? aim.aim.limits : ""},
-           {"has_limits", missed && !aim.aim.limits.empty()}});
+      rows.push_back(aim_row(aim));
     }
     return rows;
+  }
+
+  static ordered_json aim_row(const JudgedAim& judged) {
+    const Aim& aim = judged.aim;
+    const MedianOfRounds& found = judged.measured;
+    const bool measured = judged.state != JudgedAim::State::not_measured;
+    const bool has_interval = measured && found.rounds > 0;
+    // What keeps it from an aim is of no interest before it is known to miss it.
+    const bool missed =
+        measured && judged.state != JudgedAim::State::reached && !found.is_only_range();
+    const int digits = digits_to_tell_apart(std::array{found.value, found.low, found.high},
+                                            std::array{aim.must, aim.aim}, 3);
+    const auto shown_with = [&](double value) { return shown(value, digits); };
+    return {
+        {"text", aim.text},
+        {"must", fmt::format("{} {:g}", aim.more_is_better() ? "at least" : "at most", aim.must)},
+        {"aim", fmt::format("{:g}", aim.aim)},
+        {"measured", measured ? shown_with(found.value) : "-"},
+        {"interval",
+         has_interval ? shown_ends(found, shown_with(found.low), shown_with(found.high)) : ""},
+        {"has_interval", has_interval},
+        {"state", state_of(judged)},
+        {"varies", judged.varies},
+        {"limits", missed ? aim.limits : ""},
+        {"has_limits", missed && !aim.limits.empty()}};
   }
 
   static ordered_json grid(const std::string& title, const std::string& note, bool varies) {

@@ -23,7 +23,7 @@ JudgedScaling made_up() {
                            .iterations = 10,
                            .association_pairs = size,
                            .removal_pairs = size / 4};
-    const Estimate seconds{1e-6 * size, 0.9e-6 * size, 1.1e-6 * size};
+    const MedianOfRounds seconds{{1e-6 * size, 0.9e-6 * size, 1.1e-6 * size}, 9};
     good.at[size] = {.exact = true,
                      .seconds = seconds,
                      .evaluations = 2.5 * size,
@@ -42,7 +42,7 @@ JudgedScaling made_up() {
   good.work_law = PowerLaw{.exponent = {1.0, 0.9, 1.1}, .factor = 2.5};
   good.time_law = PowerLaw{.exponent = {1.25, 1.2, 1.3}, .factor = 1e-6};
   scaling.entries = {good, simple};
-  scaling.crossovers = {{"simple.dn", "good.dn", 1000, 10000, 4567.8}};
+  scaling.crossovers = {{"simple.dn", "good.dn", 1000, 10000, 4567.8, 9}};
   const Aim missed{.kind = Aim::Kind::ratio,
                    .text = "Twice as fast",
                    .entries = {},
@@ -51,9 +51,9 @@ JudgedScaling made_up() {
                    .aim = 3,
                    .limits = "Memory is slow."};
   scaling.aims = {
-      {.aim = missed, .state = JudgedAim::State::missed, .measured = {1.5, 1.4, 1.6}},
-      {.aim = missed, .state = JudgedAim::State::reached, .measured = {4, 3.5, 5}},
-      {.aim = missed, .state = JudgedAim::State::open, .measured = {2, 2, 2}, .varies = false}};
+      {.aim = missed, .state = JudgedAim::State::missed, .measured = {{1.5, 1.4, 1.6}, 9}},
+      {.aim = missed, .state = JudgedAim::State::reached, .measured = {{4, 3.5, 5}, 9}},
+      {.aim = missed, .state = JudgedAim::State::open, .measured = {{2, 2, 2}}, .varies = false}};
   return scaling;
 }
 
@@ -71,6 +71,33 @@ TEST(ScalingDocument, SaysWhatLimitsOnlyWhereAnAimIsMissed) {
   EXPECT_EQ(aims[0]["interval"], "1.4 to 1.6");
   EXPECT_EQ(aims[1]["state"], "aim reached");
   EXPECT_EQ(aims[1]["limits"], "");
+}
+
+TEST(ScalingDocument, LeavesAimsAndCrossoversOfFewRoundsOpenAndShowsTheirRange) {
+  JudgedScaling scaling = made_up();
+  scaling.aims[0].state = JudgedAim::State::open;
+  scaling.aims[0].measured.rounds = 3;
+  scaling.crossovers[0].rounds = 5;
+  scaling.entries[0].at.at(1000).seconds->rounds = 4;
+  const ordered_json document = scaling_document(scaling, {}, false);
+  EXPECT_EQ(document["aims"][0]["state"], "open: 3 rounds, 6 needed");
+  EXPECT_EQ(document["aims"][0]["interval"], "1.4 to 1.6 in 3 rounds");
+  EXPECT_EQ(document["aims"][0]["has_limits"], false) << "nobody knows that it is missed";
+  EXPECT_EQ(document["crossovers"][0],
+            "good.dn overtakes simple.dn between 1,000 and 10,000 points (about 4,600); open: 5 "
+            "rounds, 6 needed");
+  const ordered_json* grid = grid_of(document, "Time of one growth");
+  ASSERT_NE(grid, nullptr);
+  EXPECT_EQ((*grid)["rows"][0]["cells"][0]["interval"], "900 us to 1.1 ms in 4 rounds");
+  EXPECT_EQ((*grid)["rows"][0]["cells"][1]["interval"], "9 ms to 11 ms");
+}
+
+TEST(ScalingDocument, ShowsAnAimThatIsJustMissedAsSuch) {
+  JudgedScaling scaling = made_up();
+  scaling.aims[2].measured = {{1.9999999, 1.9999999, 1.9999999}};
+  const ordered_json aim = scaling_document(scaling, {}, false)["aims"][2];
+  EXPECT_EQ(aim["measured"], "1.9999999");
+  EXPECT_EQ(aim["has_interval"], false) << "it was counted";
 }
 
 TEST(ScalingDocument, NamesCrossoversInRoundNumbers) {

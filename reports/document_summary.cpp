@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "reports/document_summary.hpp"
 
-#include <algorithm>
-#include <map>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "reports/document_anchors.hpp"
 #include "reports/document_claims.hpp"
+#include "reports/document_errata_kinds.hpp"
 #include "reports/document_numbers.hpp"
 #include "reports/document_predictions.hpp"
 #include "reports/verdict_counts.hpp"
@@ -18,8 +15,6 @@ namespace phytobench {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr const char* bases[] = {"paper", "author-published", "assumed", "fitted"};
 
 template <class Use>
 void for_each_judgement(const JudgedRun& judged, const Use& use) {
@@ -48,12 +43,12 @@ void count(ClaimCounts& counts, const Judgement& judgement, bool without_varying
   counts.with_erratum += judgement.verdict == Verdict::reproduced_with_erratum;
   counts.refuted += judgement.verdict == Verdict::not_reproduced;
   counts.inconclusive += judgement.verdict == Verdict::inconclusive;
-  counts.undecidable +=
-      judgement.verdict == Verdict::not_comparable || judgement.verdict == Verdict::underspecified;
+  counts.not_comparable += judgement.verdict == Verdict::not_comparable;
+  counts.underspecified += judgement.verdict == Verdict::underspecified;
   if (judgement.verdict != Verdict::not_measured) return;
   counts.without_model += !judgement.claim->missing_model.empty();
   counts.not_seen += lacks_evidence(judgement);
-  counts.undecidable += judgement.claim->missing_model.empty() && !lacks_evidence(judgement);
+  counts.unmeasurable += judgement.claim->missing_model.empty() && !lacks_evidence(judgement);
 }
 
 std::string works_of(const JudgedRun& judged) {
@@ -75,8 +70,8 @@ std::string runs_text(const RunComparison& comparison) {
   std::string text = fmt::format("{} runs, see below", comparison.runs.size());
   for (std::size_t run = 0; run < comparison.runs.size(); ++run) {
     const RunHeader& header = comparison.runs[run].contents.header;
-    text += fmt::format("{} {} (tier {}, seed {})", run == 0 ? ":" : ";",
-                        comparison.runs[run].label, name_of(header.tier), header.seed);
+    text += fmt::format("{} {} (tier {}, seed {})", run == 0 ? ":" : ";", run_letter(run),
+                        name_of(header.tier), header.seed);
   }
   return text;
 }
@@ -84,29 +79,59 @@ std::string runs_text(const RunComparison& comparison) {
 /// What holds from the text alone must not be mixed with what needs more than the text.
 std::string found_text(const ClaimCounts& counts) {
   std::string text = fmt::format(
-      "{} from the text alone, {} with values that the author published elsewhere, {} under a "
-      "reading or a value of ours; {} wrong or incomplete as printed and {} once corrected",
-      counted(counts.from_text, "claim holds", "claims hold"), counts.with_author_values,
-      counts.reproduced - counts.from_text - counts.with_author_values,
-      counted(counts.with_erratum, "is", "are"), counts.with_erratum == 1 ? "holds" : "hold");
+      "{}: {} from the text alone, {} with values that the author published elsewhere, {} under a "
+      "reading or a value of ours.",
+      counted(counts.reproduced, "claim is reproduced", "claims are reproduced"), counts.from_text,
+      counts.with_author_values, counts.reproduced - counts.from_text - counts.with_author_values);
   if (counts.fitted > 0)
-    text += fmt::format("; {} only with a parameter that was fitted",
-                        counted(counts.fitted, "holds", "hold"));
-  return text + fmt::format("; {} not reproduced.", counted(counts.refuted, "is", "are"));
+    text += fmt::format(
+        " {} only with a parameter that was fitted to meet {}, which shows that such a value "
+        "exists, no more.",
+        counted(counts.fitted, "more holds", "more hold"), counts.fitted == 1 ? "it" : "them");
+  return text;
+}
+
+/// What the works have wrong, and by what kind of mistake.
+std::string wrong_text(const ClaimCounts& counts, const std::vector<CorrectedClaims>& kinds) {
+  std::string text = fmt::format("{} wrong as printed and {} corrected",
+                                 counted(counts.with_erratum, "claim is", "claims are"),
+                                 counts.with_erratum == 1 ? "holds" : "hold");
+  std::string reasons;
+  for (const CorrectedClaims& kind : kinds)
+    reasons += fmt::format("{}{} ({})", reasons.empty() ? "" : "; ", kind.words, kind.count);
+  if (!reasons.empty()) text += fmt::format(". What is wrong: {}", reasons);
+  return text + fmt::format(
+                    ". {} not reproduced: what was measured contradicts {}, and we know no "
+                    "correction.",
+                    counted(counts.refuted, "claim is", "claims are"),
+                    counts.refuted == 1 ? "it" : "them");
 }
 
 std::string open_text(const ClaimCounts& counts) {
   std::string text = fmt::format(
-      "{} inconclusive; {} cannot be decided by any run (not comparable, underspecified, or "
-      "nothing "
-      "to measure); {} for a model that is not built yet; {} not measured in this run.",
-      counted(counts.inconclusive, "is", "are"), counts.undecidable,
-      counted(counts.without_model, "waits", "wait"), counted(counts.not_seen, "was", "were"));
+      "{}: {} for a model that is not built yet, {} not measured in this run, {} inconclusive "
+      "(noise, too few runs, or runs that disagree).",
+      counted(counts.without_model + counts.not_seen + counts.inconclusive, "claim"),
+      counted(counts.without_model, "waits", "wait"), counted(counts.not_seen, "was", "were"),
+      counted(counts.inconclusive, "is", "are"));
+  if (counts.contradicted > 0)
+    text += fmt::format(" On {} the runs disagree.", counted(counts.contradicted, "claim"));
   if (counts.hidden > 0)
     text += fmt::format(" {} on times and {} left out of this version of the report.",
                         counted(counts.hidden, "claim rests", "claims rest"),
                         counts.hidden == 1 ? "is" : "are");
   return text;
+}
+
+/// What no run of this suite can decide, however long.
+std::string untold_text(const ClaimCounts& counts) {
+  return fmt::format(
+      "{}: {} of another machine (not comparable), {} too much open to be checked "
+      "(underspecified), {} that this suite can measure.",
+      counted(counts.not_comparable + counts.underspecified + counts.unmeasurable, "claim"),
+      counted(counts.not_comparable, "states seconds", "state seconds"),
+      counted(counts.underspecified, "leaves", "leave"),
+      counted(counts.unmeasurable, "states nothing", "state nothing"));
 }
 
 std::string predicted_text(const ordered_json& predictions, const ClaimCounts& counts) {
@@ -119,33 +144,10 @@ std::string predicted_text(const ordered_json& predictions, const ClaimCounts& c
         "decided, {} as predicted and {} otherwise; {} a verdict that the text alone fixes.",
         counted(same, "was found", "were found"), differ,
         counted(predictions["fixed"].get<std::size_t>(), "more has", "more have"));
-  text += fmt::format(
-      " {} from what this version of the suite expects",
-      counts.unexpected == 0 ? "None differs" : counted(counts.unexpected, "differs", "differ"));
-  if (counts.contradicted > 0)
-    text += fmt::format("; on {} the runs disagree", counted(counts.contradicted, "claim"));
-  return text + ".";
-}
-
-/// One row of the counts; `belongs` says which judgements it counts.
-template <class Belongs>
-ordered_json counts_row(const JudgedRun& judged, const std::string& name, const std::string& look,
-                        const Belongs& belongs) {
-  std::size_t total = 0;
-  std::map<std::string, std::size_t> by_basis, by_paper;
-  for_each_judgement(judged, [&](const JudgedPaper& paper, const Judgement& judgement) {
-    if (!belongs(judgement)) return;
-    ++total;
-    ++by_basis[judgement.claim->basis];
-    ++by_paper[paper.paper.key];
-  });
-  ordered_json row{{"verdict", name}, {"class", look}, {"row", slug(name)}, {"total", total}};
-  row["any"] = total > 0;
-  row["by_basis"] = row["by_paper"] = ordered_json::array();
-  for (const char* basis : bases) row["by_basis"].push_back({{"count", by_basis[basis]}});
-  for (const JudgedPaper& paper : judged.papers)
-    row["by_paper"].push_back({{"count", by_paper[paper.paper.key]}});
-  return row;
+  return text + fmt::format(" {} unexpectedly from what this version of the suite gives elsewhere.",
+                            counts.unexpected == 0
+                                ? "None differs"
+                                : counted(counts.unexpected, "differs", "differ"));
 }
 
 }  // namespace
@@ -178,31 +180,12 @@ ordered_json summary_document(const JudgedRun& judged, const RunComparison* comp
                   counts.measured),
       timed);
   add("Found", found_text(counts), varies);
+  add("Wrong in the works", wrong_text(counts, corrected_by_kind(judged.papers, without_varying)),
+      varies);
   add("Open", open_text(counts), varies);
+  add("Cannot be told", untold_text(counts), false);
   add("Predicted", predicted_text(predictions, counts), varies);
   return lines;
-}
-
-ordered_json counts_document(const JudgedRun& judged, bool without_varying) {
-  ordered_json rows = ordered_json::array();
-  for (const VerdictRow& row : verdict_rows())
-    rows.push_back(
-        counts_row(judged, std::string(row.name), row_class(row), [&](const Judgement& judgement) {
-          return shown_verdict(judgement, without_varying).label == row.name;
-        }));
-  if (counts_of(judged, without_varying).hidden > 0)
-    rows.push_back(
-        counts_row(judged, left_out_row, left_out_class, [&](const Judgement& judgement) {
-          return shown_verdict(judgement, without_varying).hidden;
-        }));
-  ordered_json kinds = ordered_json::array(), works = ordered_json::array();
-  for_each_judgement(judged, [&](const JudgedPaper&, const Judgement& judgement) {
-    const std::string& kind = judgement.claim->kind;
-    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
-  });
-  for (const JudgedPaper& paper : judged.papers)
-    works.push_back(fmt::format("{} {}", paper.paper.author, paper.paper.year));
-  return {{"bases", ordered_json(bases)}, {"kinds", kinds}, {"works", works}, {"rows", rows}};
 }
 
 }  // namespace phytobench

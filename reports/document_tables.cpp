@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "reports/document_anchors.hpp"
+#include "reports/document_intervals.hpp"
 #include "reports/document_numbers.hpp"
+#include "reports/document_tables_layout.hpp"
 
 namespace phytobench {
 
@@ -22,16 +25,20 @@ std::string as_title(std::string name) {
   return name;
 }
 
-ordered_json estimate_cell(const Estimate& estimate, int decimals) {
-  return table_cell(
-      fmt::format("{:.{}f}", estimate.value, decimals),
-      fmt::format("{:.{}f} to {:.{}f}", estimate.low, decimals, estimate.high, decimals));
+ordered_json estimate_cell(const MedianOfRounds& estimate, int decimals) {
+  const auto shown = [&](double value) { return fmt::format("{:.{}f}", value, decimals); };
+  return table_cell(shown(estimate.value),
+                    shown_ends(estimate, shown(estimate.low), shown(estimate.high)));
 }
 
 class TableDocument {
  public:
   TableDocument(const JudgedTable& judged, const ClaimIndex& claims, bool without_varying)
-      : judged_(judged), table_(*judged.table), claims_(claims), hide_times_(without_varying) {}
+      : judged_(judged),
+        table_(*judged.table),
+        claims_(claims),
+        layout_(layout_of(table_, claims)),
+        hide_times_(without_varying) {}
 
   ordered_json build() {
     const bool visible = judged_.measured && !(judged_.timed && hide_times_);
@@ -46,10 +53,10 @@ class TableDocument {
     document_["hidden"] = judged_.timed && hide_times_;
     document_["grids"] = ordered_json::array();
     const bool published = table_.origin == "published";
-    add_grid(published ? "Published" : "Derived beforehand",
-             published ? "as printed" : "with an independent program", false, [&](auto r, auto c) {
-               return linked_cell(as_printed(table_.values[r][c]), claim_on(r, c), false);
-             });
+    add_grid(
+        published ? "Published" : "Derived beforehand",
+        published ? "as printed" : "with an independent program", false,
+        [&](const TableLine& row, const TableLine& column) { return stated_cell(row, column); });
     if (visible) add_measured();
     if (published && has_claims()) add_verdicts();
     document_["companions"] = ordered_json::array();
@@ -60,35 +67,46 @@ class TableDocument {
   }
 
  private:
-  const ClaimLink* claim_on(std::size_t row, std::size_t column) const {
-    return claims_.about(table_.measurement_at(row, column));
+  const ClaimLink* claim_on(const TableLine& row, const TableLine& column) const {
+    return claims_.about(cell_name(table_, row, column));
   }
 
-  /// With as many decimals as the cell that has most: works print 11.0 beside 10.8.
-  std::string as_printed(double value) const {
-    std::size_t decimals = 0;
-    for (const auto& row : table_.values)
-      for (const double cell : row) {
-        const std::string text = shown(cell);
-        const std::size_t point = text.find('.');
-        if (point != std::string::npos) decimals = std::max(decimals, text.size() - point - 1);
-      }
-    return decimals == 0 ? shown(value) : fmt::format("{:.{}f}", value, decimals);
+  ordered_json stated_cell(const TableLine& row, const TableLine& column) const {
+    const ClaimLink* const claim = claim_on(row, column);
+    if (!row.index || !column.index) return linked_cell(printed_by(claim), claim, false);
+    const double value = table_.values[*row.index][*column.index];
+    const bool published = table_.origin == "published";
+    return linked_cell(published ? as_printed(value, claim) : shown(value), claim, false);
+  }
+
+  /// What a claim says is printed; works in German print 1,3 for 1.3.
+  static std::string printed_by(const ClaimLink* claim) {
+    std::string text = claim ? claim->published : "";
+    std::replace(text.begin(), text.end(), ',', '.');
+    return text;
+  }
+
+  /// With the digits that its claim says are printed: works print 11 beside 10.8.
+  static std::string as_printed(double value, const ClaimLink* claim) {
+    if (!claim || !claim->digits || value == 0.0) return shown(value);
+    const int before_point = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+    return fmt::format("{:.{}f}", value, std::max(0, *claim->digits - before_point));
   }
 
   bool has_claims() const {
-    for (std::size_t row = 0; row < table_.rows.size(); ++row)
-      for (std::size_t column = 0; column < table_.columns.size(); ++column)
+    for (const TableLine& row : layout_.rows)
+      for (const TableLine& column : layout_.columns)
         if (claim_on(row, column)) return true;
     return false;
   }
 
   void add_verdicts() {
     const bool varies = judged_.timed && !hide_times_;
-    add_grid("Verdict", "on the claim about each cell", varies, [&](auto r, auto c) {
-      const ClaimLink* const claim = claim_on(r, c);
-      return linked_cell(claim ? claim->label : "no claim of its own", claim, true);
-    });
+    add_grid("Verdict", "on the claim about each cell", varies,
+             [&](const TableLine& row, const TableLine& column) {
+               const ClaimLink* const claim = claim_on(row, column);
+               return linked_cell(claim ? claim->label : "no claim of its own", claim, true);
+             });
   }
 
   /// `is_verdict`: the text is shown as a verdict, not as a number.
@@ -104,36 +122,49 @@ class TableDocument {
 
   void add_measured() {
     if (!judged_.timed) {
-      add_grid("Measured", "", false,
-               [&](auto r, auto c) { return table_cell(shown(judged_.values[r][c].value)); });
+      add_numbers("Measured",
+                  layout_.has_more_than(table_) ? "a dash: nothing to grow or compare" : "", false,
+                  [&](auto r, auto c) { return table_cell(shown(judged_.values[r][c].value)); });
       return;
     }
-    add_grid("Measured", "seconds, median and its 95 % interval", true,
-             [&](auto r, auto c) { return estimate_cell(judged_.values[r][c], 4); });
-    add_grid("Published, relative", "to the slowest published cell", false, [&](auto r, auto c) {
+    add_numbers("Measured", fmt::format("seconds, median and its {}", ends_of_medians), true,
+                [&](auto r, auto c) { return estimate_cell(judged_.values[r][c], 4); });
+    add_numbers("Published, relative", "to the slowest published cell", false, [&](auto r, auto c) {
       return table_cell(fmt::format("{:.3f}", judged_.published_share[r][c]));
     });
-    add_grid("Measured, relative", "to the slowest measured cell, paired by round", true,
-             [&](auto r, auto c) { return estimate_cell(judged_.share[r][c], 3); });
+    add_numbers("Measured, relative", "to the slowest measured cell, paired by round", true,
+                [&](auto r, auto c) { return estimate_cell(judged_.share[r][c], 3); });
     if (judged_.published_per.empty()) return;
-    add_grid("Published, per evaluation",
-             "nanoseconds: printed seconds over the evaluations counted below", false,
-             [&](auto r, auto c) {
-               return table_cell(fmt::format("{:.0f}", 1e9 * judged_.published_per[r][c]));
-             });
-    add_grid("Measured, per evaluation", "nanoseconds", true, [&](auto r, auto c) {
+    add_numbers("Published, per evaluation",
+                "nanoseconds: printed seconds over the evaluations counted below", false,
+                [&](auto r, auto c) {
+                  return table_cell(fmt::format("{:.0f}", 1e9 * judged_.published_per[r][c]));
+                });
+    add_numbers("Measured, per evaluation", "nanoseconds", true, [&](auto r, auto c) {
       return table_cell(fmt::format("{:.2f}", 1e9 * judged_.measured_per[r][c]));
     });
   }
 
   void add_companion(const JudgedCompanion& companion) {
-    add_grid(
+    add_numbers(
         as_title(companion.name), companion.timed ? "median" : "exact count", companion.timed,
         [&](auto r, auto c) {
           const double value = companion.values[r][c].value;
           return table_cell(companion.timed ? fmt::format("{:.4f}", value) : with_thousands(value));
         },
         "companions");
+  }
+
+  /// Numbers by row and column of the table itself; nothing where only a claim is.
+  template <class Cell>
+  void add_numbers(const std::string& title, const std::string& note, bool varies,
+                   const Cell& make_cell, const char* list = "grids") {
+    add_grid(
+        title, note, varies,
+        [&](const TableLine& row, const TableLine& column) {
+          return row.index && column.index ? make_cell(*row.index, *column.index) : table_cell("-");
+        },
+        list);
   }
 
   template <class Cell>
@@ -143,12 +174,13 @@ class TableDocument {
                       {"note", note},
                       {"has_note", !note.empty()},
                       {"varies", varies},
-                      {"columns", table_.column_labels}};
-    for (std::size_t row = 0; row < table_.rows.size(); ++row) {
+                      {"columns", ordered_json::array()},
+                      {"rows", ordered_json::array()}};
+    for (const TableLine& column : layout_.columns) grid["columns"].push_back(column.label);
+    for (const TableLine& row : layout_.rows) {
       ordered_json cells = ordered_json::array();
-      for (std::size_t column = 0; column < table_.columns.size(); ++column)
-        cells.push_back(make_cell(row, column));
-      grid["rows"].push_back({{"label", table_.row_labels[row]}, {"cells", cells}});
+      for (const TableLine& column : layout_.columns) cells.push_back(make_cell(row, column));
+      grid["rows"].push_back({{"label", row.label}, {"cells", cells}});
     }
     document_[list].push_back(grid);
   }
@@ -156,6 +188,7 @@ class TableDocument {
   const JudgedTable& judged_;
   const PublishedTable& table_;
   const ClaimIndex& claims_;
+  TableLayout layout_;
   bool hide_times_;
   ordered_json document_;
 };

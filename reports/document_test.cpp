@@ -74,6 +74,38 @@ TEST(Document, CountsFittedVerdictsApartFromPlainOnes) {
   EXPECT_EQ(rows[1]["total"], 1);
 }
 
+TEST(Document, BeginsWithWhatTheRunLacks) {
+  PartialRun run;
+  EXPECT_EQ(run.document()["summary"][0]["term"], "Asked");
+  run.judged.run.unfinished = "a/y";
+  EXPECT_EQ(run.document()["summary"][0]["term"], "Incomplete");
+  EXPECT_EQ(run.document()["limits"][0], run.document()["summary"][0]["text"]);
+}
+
+TEST(Document, SaysInItsFirstLinesWhatDependsOnTheMachine) {
+  PartialRun run;
+  run.plain.machine_dependence = "below 2 there";
+  run.judged.papers[1].judgements[0].varies = true;
+  run.judged.papers[1].judgements[0].verdict = Verdict::not_reproduced;
+  const ordered_json line = run.document()["summary"].back();
+  EXPECT_EQ(line["term"], "Machines");
+  EXPECT_EQ(line["varies"], true);
+  EXPECT_NE(line["text"].get<std::string>().find("1 verdict is not as expected"),
+            std::string::npos);
+}
+
+TEST(Document, HoldsPicturesInFewerBytesThanTheirFiles) {
+  const PartialRun partial;
+  const DocumentSources sources{
+      .environment_json = "{}",
+      .run_folder = "here",
+      .pictures = {{"b/x/drawn.svg", "<svg>\n<g>\n<path/>\n</g>\n</svg>"}},
+      .photographs = {},
+      .plots = {}};
+  EXPECT_EQ(make_document(partial.judged, sources)["papers"][0]["pictures"][0]["svg"],
+            "<svg><g><path/></g></svg>");
+}
+
 TEST(Document, RepeatsWhatTheRunHolds) {
   EXPECT_EQ(PartialRun().document()["repeat"]["runs"][0],
             "phytobench run b/x --tier smoke --seed 3 --out results/again");
@@ -113,7 +145,7 @@ TEST(Document, NamesEachOfSeveralRuns) {
   EXPECT_EQ(run["runs"][1]["tier"], "full");
   EXPECT_EQ(run["runs"][1]["seed"], 2);
   const std::string head = head_of({{"run", run}});
-  EXPECT_NE(head.find("see below</a>: GCC (tier quick, seed 0); Clang (tier full, seed 2);"),
+  EXPECT_NE(head.find("see below</a>: A (tier quick, seed 0); B (tier full, seed 2);"),
             std::string::npos)
       << head;
   EXPECT_EQ(head.find("run by phytobench"), std::string::npos);

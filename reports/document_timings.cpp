@@ -9,10 +9,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/statistics/bootstrap.hpp"
+#include "core/statistics/median_of_rounds.hpp"
 #include "core/statistics/order_statistics.hpp"
 #include "reports/document_anchors.hpp"
 #include "reports/document_costs.hpp"
+#include "reports/document_intervals.hpp"
 #include "reports/document_numbers.hpp"
 
 namespace phytobench {
@@ -22,7 +23,6 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr std::size_t least_pairs = 2;  ///< fewer say nothing of scatter
-constexpr int resamples = 2000;         ///< for hundreds of intervals that decide no verdict
 
 /// Samples of one measurement in the order of rounds.
 struct Series {
@@ -60,16 +60,15 @@ std::string percent(double share) {
 }
 
 ordered_json row_of(const std::string& name, const Series& series) {
-  const std::vector<double> values = series.values();
-  const Estimate estimate = median_estimate(values, {.resamples = resamples});
-  const bool has_interval = values.size() > 1;
-  return {{"name", name},
-          {"rounds", values.size()},
-          {"median", shown_value(estimate.value, series.unit)},
-          {"has_interval", has_interval},
-          {"interval", has_interval ? shown_value(estimate.low, series.unit) + " to " +
-                                          shown_value(estimate.high, series.unit)
-                                    : ""}};
+  const MedianOfRounds median = median_of_rounds(series.values());
+  const bool has_interval = median.rounds > 1;
+  const auto shown = [&](double value) { return shown_value(value, series.unit); };
+  return {
+      {"name", name},
+      {"rounds", median.rounds},
+      {"median", shown(median.value)},
+      {"has_interval", has_interval},
+      {"interval", has_interval ? shown_ends(median, shown(median.low), shown(median.high)) : ""}};
 }
 
 void add_scatter(ordered_json& part, const Scatter& scatter) {
@@ -119,6 +118,7 @@ ordered_json timings_document(const RunContents& run, bool without_varying) {
       document["experiments"].push_back(experiment_part(experiment, by_name, changes));
   document["has_timings"] = !document["experiments"].empty();
   document["hidden"] = without_varying;
+  document["ends"] = ends_of_medians;
   add_scatter(document, scatter_of(changes));
   return document;
 }

@@ -24,8 +24,9 @@ std::vector<double> round_changes(std::span<const double> samples);
 /// Of such changes, of one measurement or of many. None gives no pairs.
 Scatter scatter_of(std::span<const double> changes);
 
-/// Every time of the run with its interval, by experiment, and the noise floor of each experiment:
-/// a ratio of two times closer to 1 than that says nothing. Costs of experiments are left out.
+/// Every time of the run with its interval (its range, of few rounds), by experiment, and the noise
+/// floor of each experiment: a ratio of two times closer to 1 than that says nothing. Costs of
+/// experiments are left out.
 nlohmann::ordered_json timings_document(const RunContents& run, bool without_varying);
 
 }  // namespace phytobench

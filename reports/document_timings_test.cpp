@@ -51,6 +51,23 @@ TEST(Timings, AreShownByExperimentWithoutItsCost) {
   EXPECT_EQ(document["has_scatter"], true);
 }
 
+TEST(Timings, HaveIntervalsFromSixRoundsOnAndRangesBelow) {
+  RunContents run;
+  for (std::int64_t round = 0; round < 6; ++round) {
+    const double seconds = 1.0 + static_cast<double>(round);
+    run.timings.push_back(
+        {.experiment = "b/x", .measurement = "b/x/a", .round = round, .value = seconds});
+    if (round < 3)
+      run.timings.push_back(
+          {.experiment = "b/x", .measurement = "b/x/b", .round = round, .value = seconds});
+  }
+  const auto document = timings_document(run, false);
+  const auto& rows = document["experiments"][0]["rows"];
+  EXPECT_EQ(rows[0]["interval"], "1 s to 6 s");
+  EXPECT_EQ(rows[1]["interval"], "1 s to 3 s in 3 rounds");
+  EXPECT_EQ(document["ends"], "95 % interval, or range of fewer than six rounds");
+}
+
 TEST(Timings, OfOneRoundHaveNoInterval) {
   RunContents run;
   run.timings = {{.experiment = "b/x", .measurement = "b/x/bytes", .value = 5.0, .unit = "B"}};

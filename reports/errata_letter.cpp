@@ -9,16 +9,13 @@
 #include <fmt/format.h>
 
 #include "reports/errata_letter_counts.hpp"
+#include "reports/errata_letter_strongest.hpp"
+#include "reports/errata_letter_text.hpp"
+#include "reports/verdict_counts.hpp"
 
 namespace phytobench {
 
 namespace {
-
-/// "Put v = 0 into eq. 9" -> with a full stop, unless there is one.
-std::string as_sentence(const std::string& text) {
-  const bool ends = text.ends_with('.') || text.ends_with('?') || text.ends_with('!');
-  return with_literal_markdown(text) + (ends ? "" : ".");
-}
 
 std::string number_text(double value) {
   return fmt::format("{:.7g}", value);
@@ -50,13 +47,14 @@ std::string confidence_of(const Erratum& erratum) {
 class Letter {
  public:
   Letter(const JudgedPaper& judged, bool without_varying)
-      : judged_(judged), without_varying_(without_varying) {
+      : judged_(judged), without_varying_(without_varying), strongest_(strongest_errata(judged)) {
     for (const Judgement& judgement : judged.judgements)
       judgements_[judgement.claim->id] = &judgement;
   }
 
   std::string text() {
     add_head();
+    add_strongest();
     out_ += "## Where the text contradicts itself or leaves a case out\n\n";
     add_errata(false);
     add_differences_from_program();
@@ -91,6 +89,25 @@ class Letter {
         judged_.assumptions.size());
   }
 
+  void add_strongest() {
+    if (strongest_.empty()) return;
+    out_ +=
+        "## Those that weigh most\n\nChosen by a rule: certain before probable; with a worked "
+        "example before without; a formula or a number before a case left out, and that before "
+        "wording and labels; then by how many statements they concern; then in the order of the "
+        "work.\n\n";
+    for (std::size_t i = 0; i < strongest_.size(); ++i) {
+      const Erratum& erratum = *strongest_[i];
+      out_ += fmt::format("{}. [{}](#{}), {}. Printed: {} Corrected: {} {}\n", i + 1, erratum.id,
+                          anchor_of(erratum), place_of(erratum), as_sentence(erratum.printed),
+                          as_sentence(erratum.corrected),
+                          as_sentence(first_sentence(erratum.consequence)));
+    }
+    out_ += '\n';
+  }
+
+  static std::string anchor_of(const Erratum& erratum) { return "erratum-" + erratum.id; }
+
   /// Those of the program, or all others, in the order of the work.
   void add_errata(bool of_program) {
     std::vector<const Erratum*> in_order;
@@ -113,6 +130,8 @@ class Letter {
   }
 
   void add_erratum(const Erratum& erratum) {
+    if (std::find(strongest_.begin(), strongest_.end(), &erratum) != strongest_.end())
+      out_ += fmt::format("<a id=\"{}\"></a>\n\n", anchor_of(erratum));
     out_ += fmt::format("### {}: {}\n\n", erratum.id, place_of(erratum));
     add_point("Printed", with_literal_markdown(erratum.printed));
     add_point(is_of_program(erratum) ? "In the program" : "Corrected",
@@ -152,20 +171,26 @@ class Letter {
                   as_sentence(example.why));
   }
 
-  /// The named claims with their verdicts, "holds with the correction: ...", one a line.
+  /// The named claims with their verdicts, one a line; of a long list the first ones.
   std::string verdicts_of(const Erratum& erratum) const {
+    constexpr std::size_t most_listed = 6;
+    std::vector<std::string> lines;
+    for (const std::string& id : erratum.claims)
+      if (const auto found = judgements_.find(id); found != judgements_.end())
+        lines.push_back(verdict_line(erratum, *found->second));
     std::string text;
-    for (const std::string& id : erratum.claims) {
-      const auto found = judgements_.find(id);
-      if (found == judgements_.end()) continue;
-      const Claim& claim = *found->second->claim;
-      std::string verdict = plain_verdict(*found->second, without_varying_);
-      if (is_of_program(erratum) && verdict == "holds with the correction")
-        verdict = "holds for the program";
-      text +=
-          fmt::format("\n  - {} *({})*", as_sentence(claim.locator + ": " + claim.text), verdict);
-    }
+    for (std::size_t i = 0; i < lines.size() && i < most_listed; ++i) text += lines[i];
+    if (lines.size() > most_listed)
+      text += fmt::format("\n  - and {} more", lines.size() - most_listed);
     return text;
+  }
+
+  std::string verdict_line(const Erratum& erratum, const Judgement& judgement) const {
+    const Claim& claim = *judgement.claim;
+    std::string verdict = plain_verdict(judgement, without_varying_);
+    if (is_of_program(erratum) && verdict == label_of(Verdict::reproduced_with_erratum))
+      verdict = "holds for the program";
+    return fmt::format("\n  - {} *({})*", as_sentence(claim.locator + ": " + claim.text), verdict);
   }
 
   void add_questions() {
@@ -201,49 +226,12 @@ class Letter {
 
   const JudgedPaper& judged_;
   bool without_varying_;
+  std::vector<const Erratum*> strongest_;
   std::map<std::string, const Judgement*> judgements_;
   std::string out_;
 };
 
-bool is_space_or_edge(const std::string& text, std::size_t i) {
-  return i >= text.size() || std::isspace(static_cast<unsigned char>(text[i])) != 0;
-}
-
-bool is_in_word(const std::string& text, std::size_t i) {
-  return i < text.size() && std::isalnum(static_cast<unsigned char>(text[i])) != 0;
-}
-
-/// Whether Markdown would read the character at i as markup.
-bool is_markup(const std::string& text, std::size_t i) {
-  const std::size_t before = i - 1, behind = i + 1;  // before wraps around at the edge
-  switch (text[i]) {
-    case '`':
-    case '\\':
-      return true;
-    case '*':
-      return !(is_space_or_edge(text, before) && is_space_or_edge(text, behind));
-    case '_':
-      return !(is_in_word(text, before) && is_in_word(text, behind));
-    case '<':
-      return is_in_word(text, behind) ||
-             (behind < text.size() && (text[behind] == '/' || text[behind] == '!'));
-    case ']':
-      return behind < text.size() && text[behind] == '(';
-    default:
-      return false;
-  }
-}
-
 }  // namespace
-
-std::string with_literal_markdown(const std::string& text) {
-  std::string literal;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (is_markup(text, i)) literal += '\\';
-    literal += text[i] == '\n' ? ' ' : text[i];
-  }
-  return literal;
-}
 
 std::string errata_letter(const JudgedPaper& judged, bool without_varying) {
   return Letter(judged, without_varying).text();

@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "reports/errata_letter.hpp"
+#include "reports/document_errata_kinds.hpp"
+#include "reports/errata_letter_refuted.hpp"
+#include "reports/verdict_counts.hpp"
 
 namespace phytobench {
 
@@ -24,7 +26,7 @@ constexpr std::array<Saying, 13> sayings{{
     {"holds with values that its author published elsewhere",
      "hold with values that their author published elsewhere", true},
     {"holds under our reading", "hold under our reading of a question above", true},
-    {"holds with the correction", "hold in another form than the printed one, given above", true},
+    {"wrong as printed, holds corrected", "are wrong as printed and hold corrected", true},
     {"holds with a value chosen to meet it", "hold with a value that was chosen to meet them",
      true},
     {"does not hold", "do not hold", true},
@@ -55,25 +57,13 @@ std::size_t decided_count(const JudgedPaper& judged, bool without_varying) {
   return count;
 }
 
-std::string refuted_list(const JudgedPaper& judged, bool without_varying) {
-  std::string text;
-  for (const Judgement& judgement : judged.judgements) {
-    if (plain_verdict(judgement, without_varying) != "does not hold") continue;
-    const Claim& claim = *judgement.claim;
-    text += fmt::format("- {}: {}", with_literal_markdown(claim.locator),
-                        with_literal_markdown(claim.text));
-    constexpr std::string_view derived = "derived: ";
-    if (claim.published.starts_with(derived))
-      text += fmt::format(" Follows from print: {}.",
-                          with_literal_markdown(claim.published.substr(derived.size())));
-    else if (!claim.published.empty() && claim.published != "-")
-      text += fmt::format(" Printed: {}.", with_literal_markdown(claim.published));
-    constexpr std::size_t longest_found = 60;  // beyond it is a table of numbers
-    if (!judgement.measured.empty() && judgement.measured.size() <= longest_found)
-      text += fmt::format(" Found: {}.", with_literal_markdown(judgement.measured));
-    text += fmt::format(" {}\n", with_literal_markdown(claim.reason));
-  }
-  return text;
+/// "What is wrong with those that hold corrected: a formula (3); the wording (1)."
+std::string corrected_sentence(const JudgedPaper& judged, bool without_varying) {
+  std::string kinds;
+  for (const CorrectedClaims& kind : corrected_by_kind({&judged, 1}, without_varying))
+    kinds += fmt::format("{}{} ({})", kinds.empty() ? "" : "; ", kind.words, kind.count);
+  if (kinds.empty()) return "";
+  return "What is wrong with those that hold corrected: " + kinds + ".\n\n";
 }
 
 }  // namespace
@@ -84,7 +74,7 @@ std::string plain_verdict(const Judgement& judgement, bool without_varying) {
     case Verdict::reproduced:
       return holding_by(judgement.claim->basis);
     case Verdict::reproduced_with_erratum:
-      return "holds with the correction";
+      return std::string(label_of(judgement.verdict));
     case Verdict::not_reproduced:
       return "does not hold";
     case Verdict::inconclusive:
@@ -123,8 +113,11 @@ std::string confirmed_part(const JudgedPaper& judged, bool without_varying) {
   std::vector<const Judgement*> all;
   for (const Judgement& judgement : judged.judgements) all.push_back(&judgement);
   for (const std::string& count : verdict_counts(all, without_varying)) text += "- " + count + "\n";
-  text += "\n";
-  const std::string refuted = refuted_list(judged, without_varying);
+  text += "\n" + corrected_sentence(judged, without_varying);
+  std::string refuted;
+  for (const Judgement& judgement : judged.judgements)
+    if (plain_verdict(judgement, without_varying) == "does not hold")
+      refuted += refuted_entry(judgement, judged);
   if (!refuted.empty())
     text += "Those that do not hold, with what was looked for and found:\n\n" + refuted + "\n";
   return text;

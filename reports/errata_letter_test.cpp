@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "reports/errata_letter_counts.hpp"
+#include "reports/errata_letter_strongest.hpp"
+#include "reports/errata_letter_text.hpp"
 
 namespace phytobench {
 namespace {
@@ -33,6 +35,7 @@ struct SmallWork {
   JudgedPaper work;
 
   SmallWork() {
+    corrected.erratum = "E1";
     work.paper = {.key = "w",
                   .title = "Plants",
                   .author = "A. Author",
@@ -72,7 +75,11 @@ struct SmallWork {
     work.judgements = {{.claim = &plain, .verdict = Verdict::reproduced},
                        {.claim = &corrected, .verdict = Verdict::reproduced_with_erratum},
                        {.claim = &read, .verdict = Verdict::reproduced},
-                       {.claim = &refuted, .verdict = Verdict::not_reproduced, .measured = "0.9"},
+                       {.claim = &refuted,
+                        .verdict = Verdict::not_reproduced,
+                        .checks = {{.wanted = ">= 1",
+                                    .outcome = CheckOutcome::fails,
+                                    .terms = {{"w/ratio", "0.900123", CheckOutcome::fails}}}}},
                        {.claim = &timed, .verdict = Verdict::reproduced, .varies = true}};
   }
 };
@@ -86,7 +93,7 @@ TEST(ErrataLetter, HoldsAllOfAnErratumInTheOrderOfTheWork) {
         "volume V = 843.2537; density rho = 30. Sought: points. As printed: **28.10846**; "
         "corrected: **25298**. The test tree.",
         "**What follows:** Too few points.",
-        "  - eq. 2: It grows with w/corrected. *(holds with the correction)*",
+        "  - eq. 2: It grows with w/corrected. *(wrong as printed, holds corrected)*",
         "**To check it:** Put in numbers.", "**Kind:** formula", "**Confidence:** certain"})
     EXPECT_THAT(letter, HasSubstr(part));
   EXPECT_THAT(letter, Not(HasSubstr("w/unknown"))) << "a claim that was not judged";
@@ -126,9 +133,75 @@ TEST(ErrataLetter, SaysOfProbableEntriesThatTheyAreInferred) {
 TEST(ErrataLetter, TellsDerivedNumbersFromPrintedOnes) {
   SmallWork small;
   small.refuted.published = "derived: 18";
-  EXPECT_THAT(errata_letter(small.work, false), HasSubstr(" Follows from print: 18. Found"));
+  EXPECT_THAT(errata_letter(small.work, false), HasSubstr(" Follows from print: 18. Because."));
+  small.refuted.published = "derived from the order of its times: 20";
+  EXPECT_THAT(errata_letter(small.work, false),
+              HasSubstr(" Follows from the order of its times: 20. Because."));
   small.refuted.published = "18";
-  EXPECT_THAT(errata_letter(small.work, false), HasSubstr(" Printed: 18. Found"));
+  EXPECT_THAT(errata_letter(small.work, false), HasSubstr(" Printed: 18. Because."));
+}
+
+TEST(ErrataLetter, SpeaksOfRefutedStatementsInSentences) {
+  SmallWork small;
+  small.refuted.reason = "It takes rain (plain). (The expected verdict was set later.)";
+  JudgedCheck& check = small.work.judgements[3].checks[0];
+  check.terms[0].measured = "3e-76";
+  check.terms.push_back({"w/b", "9.4 [9.1, 9.7]", CheckOutcome::fails});
+  check.wanted = "<= 0.5 in 2 of 2";
+  EXPECT_THAT(errata_letter(small.work, false),
+              HasSubstr(" It takes rain (eq. 2). Measured in this way: practically 0, 9.4 (9.1 to "
+                        "9.7); needed: at most 0.5 in 2 of 2 cases.\n"));
+  check.terms.resize(20);
+  EXPECT_THAT(errata_letter(small.work, false), HasSubstr("(eq. 2). Of 20 comparisons 2 fail.\n"));
+}
+
+TEST(ErrataLetter, ShortensLongListsOfStatements) {
+  SmallWork small;
+  small.work.errata[1].claims.assign(9, "w/plain");
+  const std::string letter = errata_letter(small.work, false);
+  EXPECT_THAT(letter, HasSubstr("\n  - and 3 more\n"));
+}
+
+TEST(ErrataLetter, OpensWithLinksToWhatWeighsMost) {
+  const std::string letter = errata_letter(SmallWork().work, false);
+  EXPECT_THAT(letter, HasSubstr("\n1. [E1](#erratum-E1), eq. 2 (section 4.9). Printed: n = V / "
+                                "rho. Corrected: n = V * rho. Too few points.\n2. [E2]"));
+  EXPECT_THAT(letter, HasSubstr("<a id=\"erratum-E1\"></a>\n\n### E1: "));
+  EXPECT_LT(letter.find("1. [E1]"), letter.find("## Where the text contradicts"));
+}
+
+TEST(StrongestErrata, FollowTheirRule) {
+  const auto erratum = [](const char* id, const char* section, ErratumKind kind,
+                          const char* confidence, std::size_t claims, bool example) {
+    Erratum made{.id = id, .section = section, .kind = kind, .confidence = confidence};
+    made.claims.resize(claims);
+    if (example) made.counter_example = CounterExample{};
+    return made;
+  };
+  JudgedPaper work;
+  work.errata = {erratum("probable", "1", ErratumKind::formula, "probable", 9, true),
+                 erratum("argued", "1", ErratumKind::formula, "certain", 9, false),
+                 erratum("word", "1", ErratumKind::wording, "certain", 9, true),
+                 erratum("case", "1", ErratumKind::missing_case, "certain", 9, true),
+                 erratum("program", "1", ErratumKind::program, "certain", 9, true),
+                 erratum("one", "1", ErratumKind::formula, "certain", 1, true),
+                 erratum("later", "3", ErratumKind::number, "certain", 2, true),
+                 erratum("two", "2", ErratumKind::formula, "certain", 2, true)};
+  std::vector<std::string> ids;
+  for (const Erratum* strong : strongest_errata(work)) ids.push_back(strong->id);
+  EXPECT_THAT(ids, testing::ElementsAre("two", "later", "one", "case", "word"));
+  work.errata.resize(2);
+  ASSERT_EQ(strongest_errata(work).size(), 2u);
+  EXPECT_EQ(strongest_errata(work)[0]->id, "argued");
+}
+
+TEST(ErrataLetter, EndsASentenceOnlyAtItsEnd) {
+  EXPECT_EQ(first_sentence("By eq. 9 and sec. 4.1 it fails. The rest holds."),
+            "By eq. 9 and sec. 4.1 it fails.");
+  EXPECT_EQ(first_sentence("No stop"), "No stop");
+  EXPECT_EQ(first_sentence("Why? So."), "Why?");
+  EXPECT_EQ(as_sentence("It holds. (In words.)"), "It holds. (In words.)");
+  EXPECT_EQ(as_sentence("It holds (in words)"), "It holds (in words).");
 }
 
 TEST(ErrataLetter, AsksQuestionsAndSaysWhatRestsOnThem) {
@@ -143,8 +216,10 @@ TEST(ErrataLetter, CountsWhatWasConfirmedAndWhatWasNot) {
   const std::string letter = errata_letter(SmallWork().work, false);
   EXPECT_THAT(letter, HasSubstr("into 5 statements. 5 of them were decided"));
   EXPECT_THAT(letter, HasSubstr("- 2 hold as they stand\n"));
-  EXPECT_THAT(letter, HasSubstr("- 1 holds with the correction\n"));
-  EXPECT_THAT(letter, HasSubstr("- eq. 2: It grows with w/refuted Found: 0.9. Because.\n"));
+  EXPECT_THAT(letter, HasSubstr("- 1 wrong as printed, holds corrected\n"));
+  EXPECT_THAT(letter, HasSubstr("What is wrong with those that hold corrected: a formula (1).\n"));
+  EXPECT_THAT(letter, HasSubstr("- eq. 2: It grows with w/refuted. Because. Measured in this way: "
+                                "0.9001; needed: at least 1.\n"));
 }
 
 TEST(ErrataLetter, LeavesOutWhatRestsOnTimesIfAskedTo) {

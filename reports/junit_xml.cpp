@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "reports/document_anchors.hpp"
+#include "reports/expectation.hpp"
 #include "reports/judge/run_comparison.hpp"
 
 namespace phytobench {
@@ -42,6 +43,7 @@ std::string properties_of(const Judgement& judgement, bool hidden) {
   if (!hidden) xml += property("verdict", name_of(judgement.verdict));
   xml += property("basis", claim.basis);
   xml += property("expected", name_of(claim.expected_verdict));
+  if (!hidden) xml += property("expectation", name_of(expectation_of(judgement)));
   if (claim.predicted_verdict) xml += property("predicted", name_of(*claim.predicted_verdict));
   xml += property("locator", claim.locator);
   xml += property("published", claim.published);
@@ -74,6 +76,15 @@ std::string skipped_of(const Judgement& judgement, bool hidden) {
   return fmt::format("      <skipped message=\"{}\"/>\n", escaped(message));
 }
 
+/// No failure: the verdict is known to come out otherwise on other machines.
+std::string machine_note(const Judgement& judgement) {
+  const Claim& claim = *judgement.claim;
+  return fmt::format(
+      "      <system-out>{}</system-out>\n",
+      escaped(fmt::format("{}, expected {}; depends on the machine: {}", name_of(judgement.verdict),
+                          name_of(claim.expected_verdict), claim.machine_dependence)));
+}
+
 /// Test runners split names of classes at dots.
 std::string class_of(const Claim& claim) {
   return claim.paper + "." + (claim.topic.empty() ? "claims" : slug(claim.topic));
@@ -87,6 +98,8 @@ std::string case_of(const Judgement& judgement, bool hidden) {
   const Outcome outcome = outcome_of(judgement, hidden);
   if (outcome == Outcome::failed) xml += failure_of(judgement);
   if (outcome == Outcome::skipped) xml += skipped_of(judgement, hidden);
+  if (!hidden && expectation_of(judgement) == Expectation::depends_on_machine)
+    xml += machine_note(judgement);
   return xml + "    </testcase>\n";
 }
 

@@ -127,6 +127,22 @@ TEST(JunitXml, SaysVerdictBasisAndExpectationOfEachClaim) {
             "not reproduced, expected reproduced");
 }
 
+TEST(JunitXml, SaysWithoutAFailureWhereAVerdictDependsOnTheMachine) {
+  EveryVerdict run;
+  run.judged.papers[0].claims.claims[2].machine_dependence = "below 2 < there";
+  run.judged.papers[0].judgements[2].varies = true;
+  const Document document = parsed(junit_xml(run.judged, false));
+  ASSERT_NE(document, nullptr);
+  EXPECT_EQ(attribute(suite_of(document), "failures"), "0");
+  const xmlNode* refuted = children(suite_of(document), "testcase").at(2);
+  EXPECT_EQ(properties_of(refuted).at("expectation"), "depends on the machine");
+  ASSERT_EQ(children(refuted, "system-out").size(), 1u);
+  EXPECT_THAT(
+      junit_xml(run.judged, false),
+      HasSubstr("not reproduced, expected reproduced; depends on the machine: below 2 &lt;"));
+  EXPECT_THAT(junit_xml(run.judged, true), testing::Not(HasSubstr("system-out"))) << "hidden";
+}
+
 TEST(JunitXml, KeepsLinesOfAMessageApart) {
   const Document document = parsed(junit_xml(EveryVerdict().judged, false));
   ASSERT_NE(document, nullptr);

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include "reports/document_claims.hpp"
+#include "reports/document_measured.hpp"
 #include "reports/latex_files.hpp"
 #include "reports/latex_tables.hpp"
 #include "reports/latex_text.hpp"
+#include "reports/run_limits.hpp"
 
 namespace phytobench {
 
@@ -55,7 +57,7 @@ std::string published_text(const Claim& claim) {
 }
 
 std::string verdict_text(const Judgement& judgement, bool hidden) {
-  return hidden ? left_out_row : std::string(name_of(judgement.verdict));
+  return hidden ? left_out_row : std::string(label_of(judgement.verdict));
 }
 
 std::string claim_row(const Judgement& judgement, bool hidden) {
@@ -63,7 +65,7 @@ std::string claim_row(const Judgement& judgement, bool hidden) {
   return fmt::format("{} {} &\n{} & {} & {} & {} ({}) \\tabularnewline\n",
                      cell(latex_text(claim.text)), latex_id(claim.id),
                      cell(latex_text(claim.locator)), cell(published_text(claim)),
-                     cell(hidden ? "" : latex_value(judgement.measured)),
+                     cell(hidden ? "" : latex_value(shown_measured(judgement))),
                      cell(latex_text(verdict_text(judgement, hidden))), latex_text(claim.basis));
 }
 
@@ -76,6 +78,22 @@ std::string macro_line(const Judgement& judgement, bool hidden) {
                      published_text(claim), verdict, latex_text(claim.basis));
 }
 
+/// Below the claims of a run that is not whole: tables travel without their report.
+std::string incomplete_row(const std::string& text) {
+  return text.empty() ? "" : "\\midrule\n" + cell(latex_text(text)) + " & & & & \\tabularnewline\n";
+}
+
+std::string incomplete_section(const std::string& text) {
+  return text.empty() ? "" : "\\section*{Incomplete}\n" + latex_text(text) + "\n";
+}
+
+std::string limits_section(const JudgedRun& judged, bool without_varying) {
+  std::string latex = "\\clearpage\\section*{What this run cannot tell}\n";
+  for (const std::string& limit : run_limits(judged, without_varying))
+    latex += latex_text(limit) + "\n\n";
+  return latex;
+}
+
 std::string captioned(const std::string& file, const std::string& caption) {
   return fmt::format(
       "\\begin{{table}}[htbp]\\centering\\small\\setlength{{\\tabcolsep}}{{3pt}}\n"
@@ -85,15 +103,17 @@ std::string captioned(const std::string& file, const std::string& caption) {
 
 }  // namespace
 
-std::string latex_claim_table(const JudgedPaper& paper, bool without_varying) {
+std::string latex_claim_table(const JudgedPaper& paper, bool without_varying,
+                              const std::string& incomplete) {
   std::string latex = fmt::format("% All claims of {}.\n", paper.paper.key) + table_head;
   for (const Judgement& judgement : paper.judgements)
     latex += claim_row(judgement, without_varying && judgement.varies);
-  return latex + "\\end{longtable}\n";
+  return latex + incomplete_row(incomplete) + "\\end{longtable}\n";
 }
 
 std::string latex_claim_macros(const JudgedRun& judged, bool without_varying) {
   std::string latex = macro_head;
+  if (const std::string text = incompleteness(judged); !text.empty()) latex += "% " + text + "\n";
   for (const JudgedPaper& paper : judged.papers)
     for (const Judgement& judgement : paper.judgements)
       latex += macro_line(judgement, without_varying && judgement.varies);
@@ -106,6 +126,7 @@ std::string latex_wrapper(const JudgedRun& judged, bool without_varying) {
       "\\documentclass[a4paper]{article}\n\\usepackage[margin=18mm]{geometry}\n\\usepackage{"
       "booktabs,longtable}\n"
       "\\begin{document}\n\\input{claims}\n" +
+      incomplete_section(incompleteness(judged)) +
       captioned("counts", "Claims by verdict and basis.");
   for (const JudgedPaper& paper : judged.papers) {
     latex += fmt::format("\\clearpage\\section*{{{} {}}}\n", latex_text(paper.paper.author),
@@ -119,7 +140,7 @@ std::string latex_wrapper(const JudgedRun& judged, bool without_varying) {
     }
     latex += fmt::format("{{\\footnotesize\\input{{claims-{}}}}}\n", paper.paper.key);
   }
-  return latex + "\\end{document}\n";
+  return latex + limits_section(judged, without_varying) + "\\end{document}\n";
 }
 
 }  // namespace phytobench

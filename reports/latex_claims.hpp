@@ -7,8 +7,10 @@
 
 namespace phytobench {
 
-/// All claims of a work as one longtable: claim, place, published, measured, verdict.
-std::string latex_claim_table(const JudgedPaper& paper, bool without_varying);
+/// All claims of a work as one longtable: claim, place, published, measured, verdict. What the run
+/// lacks (`incomplete`, empty for a whole run) stands below them.
+std::string latex_claim_table(const JudgedPaper& paper, bool without_varying,
+                              const std::string& incomplete = "");
 
 /// Commands by which a paper quotes a claim by its id, so that its numbers change with the run:
 /// \phytobenchclaim{brzoska2019/eq-22/density} is what was measured, \phytobenchpublished,

@@ -3,6 +3,7 @@
 
 #include "reports/latex_claims.hpp"
 #include "reports/latex_tables.hpp"
+#include "reports/run_limits.hpp"
 
 namespace phytobench {
 
@@ -19,7 +20,8 @@ ReportFiles latex_files(const JudgedRun& judged, bool without_varying) {
   add("claims", latex_claim_macros(judged, without_varying));
   add("all", latex_wrapper(judged, without_varying));
   for (const JudgedPaper& paper : judged.papers) {
-    add("claims-" + paper.paper.key, latex_claim_table(paper, without_varying));
+    add("claims-" + paper.paper.key,
+        latex_claim_table(paper, without_varying, incompleteness(judged)));
     for (const JudgedTable& table : paper.tables) {
       const std::string name = latex_table_name(*table.table);
       add(name, latex_table(table, without_varying));

@@ -115,6 +115,18 @@ TEST(LatexCounts, AddsUpToAllClaims) {
               HasSubstr("inconclusive & 0 & 0 & 0 & 0 & 0 \\\\\n"));
 }
 
+TEST(LatexCounts, CallAnErratumWrongAsPrintedAndTellItsKind) {
+  SmallRun run;
+  run.judged.papers[0].errata = {{.id = "E1", .kind = ErratumKind::formula}};
+  run.judged.papers[0].claims.claims[0].erratum = "E1";
+  run.judged.papers[0].judgements[0].verdict = Verdict::reproduced_with_erratum;
+  EXPECT_THAT(latex_counts(run.judged, false),
+              HasSubstr("wrong as printed, holds corrected & 1 & 1 & 0 & 0 & 0 \\\\\n"
+                        "of these: formula & 1 & 1 & 0 & 0 & 0 \\\\\n"));
+  EXPECT_THAT(latex_claim_macros(run.judged, false),
+              HasSubstr("{wrong as printed, holds corrected}{paper}"));
+}
+
 TEST(LatexClaimMacros, DefineEveryClaim) {
   const std::string latex = latex_claim_macros(SmallRun().judged, false);
   EXPECT_THAT(latex, HasSubstr(R"(\phytobench@set{p/exact_one}{$1\times 10^{-6}$}{$-1.5$ )"

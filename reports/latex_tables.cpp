@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/document_errata_kinds.hpp"
 #include "reports/latex_text.hpp"
 #include "reports/verdict_counts.hpp"
 
@@ -95,6 +96,11 @@ std::string head_comment(const PublishedTable& table, const std::string& what) {
                      table.paper, latex_text(table.title), what);
 }
 
+/// A part of the row above it.
+std::string part_label(const std::string& kind) {
+  return "of these: " + kind;
+}
+
 }  // namespace
 
 std::string latex_table(const JudgedTable& judged, bool without_varying) {
@@ -132,29 +138,40 @@ std::string latex_share_table(const JudgedTable& judged, bool without_varying) {
                                        fmt::format("[{:.3f}, {:.3f}]", share.low, share.high)});
     }
   }
-  return head_comment(table, "shares of the largest cell, 95 percent intervals") +
+  return head_comment(table,
+                      "shares of the largest cell, 95 percent intervals, ranges where there are "
+                      "fewer than six rounds") +
          tabular(std::move(grid));
 }
 
 std::string latex_counts(const JudgedRun& judged, bool without_varying) {
   constexpr std::array bases = {"paper", "author-published", "assumed", "fitted"};
-  std::map<std::string_view, std::map<std::string, std::size_t>> counts;
+  std::map<std::string, std::map<std::string, std::size_t>> counts;
   for (const JudgedPaper& paper : judged.papers)
-    for (const Judgement& judgement : paper.judgements)
-      if (!(without_varying && judgement.varies))
-        ++counts[row_of(judgement).name][judgement.claim->basis];
+    for (const Judgement& judgement : paper.judgements) {
+      if (without_varying && judgement.varies) continue;
+      ++counts[std::string(row_of(judgement).name)][judgement.claim->basis];
+      if (const auto kind = kind_of_correction(paper, judgement, without_varying))
+        ++counts[part_label(*kind)][judgement.claim->basis];
+    }
   Grid grid{{}, {"all"}, {""}, {}};
   grid.headings.insert(grid.headings.end(), bases.begin(), bases.end());
   grid.columns.resize(grid.headings.size());
-  for (const VerdictRow& row : verdict_rows()) {
-    grid.row_labels.emplace_back(row.name);
+  const auto add_row = [&](const std::string& label) {
+    grid.row_labels.push_back(label);
     std::size_t all = 0;
     for (std::size_t b = 0; b < bases.size(); ++b) {
-      const std::size_t count = counts[row.name][bases[b]];
+      const std::size_t count = counts[label][bases[b]];
       grid.columns[b + 1].push_back(std::to_string(count));
       all += count;
     }
     grid.columns[0].push_back(std::to_string(all));
+  };
+  for (const VerdictRow& row : verdict_rows()) {
+    add_row(std::string(row.name));
+    if (row.verdict != Verdict::reproduced_with_erratum) continue;
+    for (const CorrectedClaims& kind : corrected_by_kind(judged.papers, without_varying))
+      add_row(part_label(kind.kind));
   }
   return "% Number of claims by verdict and by what the verdict rests on.\n"
          "% Needs \\usepackage{booktabs}. Written by phytobench.\n" +

@@ -108,7 +108,8 @@ class FilesBuilder {
                                       .without_varying = options_.without_varying,
                                       .plot_data = bytes_of(input_.plot_data),
                                       .experiments = options_.experiments,
-                                      .comparison = comparison()});
+                                      .comparison = comparison(),
+                                      .captions = input_.captions});
     link_files(document, links_);
     if (comparison())
       add(document, "comparison",

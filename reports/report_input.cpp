@@ -6,7 +6,6 @@
 #include "core/contract/check.hpp"
 #include "core/contract/errors.hpp"
 #include "core/contract/text_file.hpp"
-#include "reports/artifact_plots.hpp"
 #include "reports/run_labels.hpp"
 
 namespace phytobench {
@@ -41,6 +40,7 @@ void add_pictures(ReportInput& input, const RunArtifacts& run) {
   add_artifacts(input.drawings, run, ".svg");
   add_artifacts(input.photographs, run, ".jpg");
   for (auto& [name, plot] : artifact_plots(run.run_folder, run.names)) {
+    input.captions.try_emplace(name, std::move(plot.caption));
     if (!plot.svg.empty()) input.drawings.try_emplace(name, Picture{{}, std::move(plot.svg)});
     input.plot_data.try_emplace(plot.data_name, Picture{plot.data_file, std::move(plot.data)});
   }
@@ -101,7 +101,7 @@ ReportInput read_report_input(const std::vector<fs::path>& run_folders,
   const std::vector<std::string> labels = labels_of(input, options.without_varying);
   std::vector<LabelledRun> runs;
   for (std::size_t i = 0; i < contents.size(); ++i)
-    runs.push_back({labels[i], judge_run(std::move(contents[i]))});
+    runs.push_back({labels[i], judge_run(std::move(contents[i])), input.run_folders[i].string()});
   const std::vector<std::string> unfinished = unfinished_in(runs);
   MergedRuns merged = merge_runs(std::move(runs));
   for (const std::string& experiment : unfinished)

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/artifact_plots.hpp"
 #include "reports/judge/judged_run.hpp"
 #include "reports/judge/run_comparison.hpp"
 
@@ -26,7 +27,9 @@ struct ReportInput {
   std::vector<std::string> environments;       ///< environment.json of each run
   std::map<std::string, Picture> drawings;     ///< SVG, by their path below artifacts/
   std::map<std::string, Picture> photographs;  ///< JPEG, the same
-  std::map<std::string, Picture> plot_data;    ///< CSV files of drawn plots, the same
+  std::map<std::string, Picture> plot_data;    ///< CSV files of plots, the same
+  /// Of plots, drawn or not, by their picture's path below artifacts/.
+  std::map<std::string, PlotCaption> captions;
 };
 
 struct ReportInputOptions {

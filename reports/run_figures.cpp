@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "reports/artifact_plots.hpp"
 #include "reports/base64.hpp"
 #include "reports/document_anchors.hpp"
 #include "reports/natural_order.hpp"
@@ -98,7 +97,10 @@ ordered_json figure_document(const std::string& name, const FigureSources& sourc
                              const ClaimIndex& claims) {
   const auto picture = sources.pictures.find(name);
   const std::string svg = picture == sources.pictures.end() ? "" : picture->second;
-  const std::string caption = svg_caption(svg), description = svg_description(svg);
+  const auto own = sources.captions.find(name);
+  const auto& [caption, description] = own == sources.captions.end()
+                                           ? PlotCaption{svg_caption(svg), svg_description(svg)}
+                                           : own->second;
   ordered_json figure = picture_part(svg, slug(name));
   figure["name"] = name;
   figure["anchor"] = "figure-" + slug(name);

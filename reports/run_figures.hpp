@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "reports/artifact_plots.hpp"
 #include "reports/document_places.hpp"
 #include "reports/svg_text.hpp"
 
@@ -19,16 +20,18 @@ bool is_figure_before(const std::string& a, const std::string& b);
 /// that pictures of two experiments differ.
 std::string figure_file(const std::string& artifact);
 
-/// Pictures of a run, and the numbers behind those that are plots, by artifact name: a plot and its
-/// data have one name, but for the endings .svg and .csv.
+/// Pictures of a run, and the numbers and captions of those that are plots, by artifact name: a
+/// plot and its data have one name, but for the endings .svg and .csv.
 struct FigureSources {
   const std::map<std::string, std::string>& pictures;   ///< SVG text
   const std::map<std::string, std::string>& plot_data;  ///< CSV text
+  /// Of plots, drawn or not, by the picture's name; any other picture says it in its SVG.
+  std::map<std::string, PlotCaption> captions = {};
 };
 
 /// The figures of one work, in order, for the templates, each with the claims about it. `svg` is
 /// empty where it would make the page too large (`file` holds it all), and where a plot could not
-/// be drawn.
+/// be drawn; it has its caption then, too.
 nlohmann::ordered_json figures_of(const std::string& paper, const FigureSources& sources,
                                   const ClaimIndex& claims);
 

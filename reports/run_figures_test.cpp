@@ -132,16 +132,33 @@ TEST(FiguresOf, ShowTheNumbersBehindAPlotEvenWhereItWasNotDrawn) {
   EXPECT_EQ(figures[1]["data"]["has_rows"], false);
 }
 
+TEST(FiguresOf, HaveTheCaptionOfAPlotAlsoWhereItWasNotDrawn) {
+  const std::map<std::string, std::string> pictures{{"p/a.svg", "<svg aria-label=\"Other\"/>"}},
+      data{{"p/b.csv", "x,y\n"}};
+  const auto figures = figures_of(
+      "p", {pictures, data, {{"p/a.svg", {"A", "It rises."}}, {"p/b.svg", {"B", "It falls."}}}},
+      {});
+  ASSERT_EQ(figures.size(), 2u);
+  EXPECT_EQ(figures[0]["caption"], "A");
+  EXPECT_EQ(figures[1]["caption"], "B");
+  EXPECT_EQ(figures[1]["description"], "It falls.");
+  EXPECT_EQ(figures[1]["has_description"], true);
+  EXPECT_EQ(figures[1]["has_picture"], false);
+}
+
 TEST(FiguresOf, SayThatAPlotWasNotDrawnInEveryFormat) {
+  const std::map<std::string, std::string> pictures, data{{"p/growth-law.csv", "x,y\n"}};
   nlohmann::ordered_json document;
   document["has_pictures"] = true;
-  document["pictures"] = figures_from({}, {{"p/growth-law.csv", "x,y\n"}});
+  document["pictures"] =
+      figures_of("p", {pictures, data, {{"p/growth-law.svg", {"A law", "It falls."}}}}, {});
   for (const auto& [name, format] :
        {std::pair{"html", EscapeFor::html}, std::pair{"md", EscapeFor::markdown}}) {
     const std::string text =
         read_text_file(data_folder() / "templates" / name / "figures.mustache");
     const std::string page = render_template(text, document, format);
-    EXPECT_NE(page.find("Growth law"), std::string::npos) << page;
+    EXPECT_NE(page.find("A law"), std::string::npos) << page;
+    EXPECT_NE(page.find("It falls."), std::string::npos) << page;
     EXPECT_NE(page.find("(not drawn, for gnuplot is not installed)"), std::string::npos) << page;
   }
 }

@@ -19,7 +19,7 @@ JudgedScaling measured() {
     scaling.sizes[size] = {
         .points = size + 7.0, .association_pairs = 2.0 * size, .removal_pairs = size};
     entry.at[size].seconds =
-        Estimate{.value = 1e-5 * size, .low = 0.9e-5 * size, .high = 1.1e-5 * size};
+        MedianOfRounds{{.value = 1e-5 * size, .low = 0.9e-5 * size, .high = 1.1e-5 * size}, 9};
     entry.at[size].evaluations = 5.0 * size;
   }
   scaling.entries.push_back(entry);

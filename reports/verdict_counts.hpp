@@ -22,10 +22,15 @@ bool has_measurement(const Judgement& judgement);
 /// differs from what was predicted.
 bool lacks_evidence(const Judgement& judgement);
 
+/// A verdict as readers see it. It is its name, but for "reproduced with erratum", which would be
+/// taken for a success: "wrong as printed, holds corrected". Machine formats keep the name.
+std::string_view label_of(Verdict verdict);
+
 /// A row of the counts: a verdict, or a part of one that must not be mistaken for the rest.
 struct VerdictRow {
   std::string_view name;  ///< as readers see it
   Verdict verdict;
+  std::string_view identifier;  ///< in machine formats, addresses and filters: never changes
 };
 
 /// All rows, in the order of a report. Each claim belongs to exactly one.

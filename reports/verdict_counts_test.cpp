@@ -35,7 +35,18 @@ std::string row_name(Verdict verdict, const Claim& claim) {
 TEST(VerdictRow, IsTheVerdictWhereThatSaysAll) {
   for (const Verdict verdict : all_verdicts) {
     if (verdict == Verdict::not_measured) continue;
-    EXPECT_EQ(row_name(verdict, {}), name_of(verdict));
+    const Claim claim;
+    const VerdictRow& row = row_of({.claim = &claim, .verdict = verdict});
+    EXPECT_EQ(row.name, label_of(verdict));
+    EXPECT_EQ(row.identifier, name_of(verdict)) << "machine formats";
+  }
+}
+
+TEST(Label, CallsAnErratumNoSuccess) {
+  EXPECT_EQ(label_of(Verdict::reproduced_with_erratum), "wrong as printed, holds corrected");
+  for (const Verdict verdict : all_verdicts) {
+    if (verdict == Verdict::reproduced_with_erratum) continue;
+    EXPECT_EQ(label_of(verdict), name_of(verdict));
   }
 }
 

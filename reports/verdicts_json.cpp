@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "reports/expectation.hpp"
 #include "reports/verdict_counts.hpp"
 
 namespace phytobench {
@@ -11,11 +12,15 @@ namespace {
 
 using nlohmann::ordered_json;
 
+ordered_json text_or_null(const std::string& text) {
+  return text.empty() ? ordered_json(nullptr) : ordered_json(text);
+}
+
 ordered_json claim_row(const Judgement& judgement) {
   const Claim& claim = *judgement.claim;
   return {{"id", claim.id},
           {"verdict", name_of(judgement.verdict)},
-          {"row", row_of(judgement).name},
+          {"row", row_of(judgement).identifier},
           {"basis", claim.basis},
           {"published", claim.published},
           {"measured", judgement.measured},
@@ -23,13 +28,15 @@ ordered_json claim_row(const Judgement& judgement) {
           {"predicted", claim.predicted_verdict ? ordered_json(name_of(*claim.predicted_verdict))
                                                 : ordered_json(nullptr)},
           {"unexpected", judgement.is_unexpected()},
+          {"expectation", name_of(expectation_of(judgement))},
+          {"machine_dependence", text_or_null(claim.machine_dependence)},
           {"digits", claim.digits ? ordered_json(*claim.digits) : ordered_json(nullptr)},
           {"unit", claim.unit},
           {"kind", claim.kind},
           {"topic", claim.topic},
           {"locator", claim.locator},
           {"tier", name_of(claim.tier)},
-          {"erratum", claim.erratum.empty() ? ordered_json(nullptr) : ordered_json(claim.erratum)},
+          {"erratum", text_or_null(claim.erratum)},
           {"varies", judgement.varies},
           {"reason", judgement.reason}};
 }
@@ -47,7 +54,8 @@ ordered_json by_run(const ComparedClaim& claim) {
 ordered_json runs_of(const RunComparison& comparison) {
   ordered_json rows = ordered_json::array();
   for (const ComparedRun& run : comparison.runs)
-    rows.push_back({{"label", run.label},
+    rows.push_back({{"letter", run_letter(rows.size())},
+                    {"label", run.label},
                     {"tier", name_of(run.contents.header.tier)},
                     {"seed", run.contents.header.seed}});
   return rows;

@@ -57,6 +57,8 @@ TEST(VerdictsJson, SaysAllOfAClaim) {
   EXPECT_EQ(claim["row"], "not reproduced");
   EXPECT_EQ(claim["expected"], "reproduced");
   EXPECT_EQ(claim["unexpected"], true);
+  EXPECT_EQ(claim["expectation"], "unexpected");
+  EXPECT_EQ(claim["machine_dependence"], nullptr);
   EXPECT_EQ(claim["predicted"], "underspecified");
   EXPECT_EQ(claim["digits"], 3);
   EXPECT_EQ(claim["kind"], "count");
@@ -66,6 +68,16 @@ TEST(VerdictsJson, SaysAllOfAClaim) {
   EXPECT_EQ(verdicts["claims"][1]["predicted"], nullptr);
   EXPECT_EQ(verdicts["claims"][1]["digits"], nullptr);
   EXPECT_EQ(verdicts["claims"][1]["erratum"], nullptr);
+}
+
+TEST(VerdictsJson, SaysWhereAVerdictDependsOnTheMachine) {
+  TwoClaims of;
+  of.judged.papers[0].claims.claims[1].machine_dependence = "below 2 there";
+  of.judged.papers[0].judgements[1].verdict = Verdict::not_reproduced;
+  const json claim = json::parse(verdicts_json(of.judged, nullptr, false))["claims"][1];
+  EXPECT_EQ(claim["unexpected"], false);
+  EXPECT_EQ(claim["expectation"], "depends on the machine");
+  EXPECT_EQ(claim["machine_dependence"], "below 2 there");
 }
 
 TEST(VerdictsJson, LeavesOutWhatRestsOnTimesOnRequest) {
@@ -81,6 +93,7 @@ TEST(VerdictsJson, SaysWhatEachOfSeveralRunsFound) {
   comparison.claims[1].verdicts = {Verdict::reproduced, Verdict::inconclusive};
   comparison.claims[1].measured = {"2.1", "1.9"};
   const json verdicts = json::parse(verdicts_json(TwoClaims().judged, &comparison, false));
+  EXPECT_EQ(verdicts["runs"][1]["letter"], "B");
   EXPECT_EQ(verdicts["runs"][1]["label"], "there");
   const json& second = verdicts["claims"][1]["by_run"][1];
   EXPECT_EQ(second["run"], 1);

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "benchmarks/nearest_node/growth_trace.hpp"
+#include "benchmarks/nearest_node/remembering_judge.hpp"
 #include "core/contract/errors.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 #include "core/random/counter_stream.hpp"
@@ -155,6 +156,7 @@ class Race {
       judge_ = make_literal_judge(*oracle_);
     } else {
       judge_ = make_grid_judge(seedling_, request_.order_seed);
+      if (result_.entries.size() > 1) judge_ = make_remembering_judge(std::move(judge_));
     }
     result_.judge = judge_->name();
   }
@@ -218,7 +220,8 @@ class Race {
     for (int round = 0; rounds == 0 || round < rounds; ++round) {
       const double seconds = seconds_of([&] { time_round(round, rounds, timed); });
       if (rounds == 0)
-        rounds = std::clamp(static_cast<int>(request_.timing_s / std::max(seconds, 1e-9)), 3, 25);
+        rounds = std::clamp(static_cast<int>(request_.timing_s / std::max(seconds, 1e-9)),
+                            request_.least_rounds, 25);
     }
   }
 
@@ -276,11 +279,6 @@ std::vector<double> samples(const RaceEntry& entry, double PhaseSeconds::*phase)
 
 double reset_seconds(const PhaseSeconds& seconds) {
   return seconds.total - seconds.association - seconds.kill - seconds.growth;
-}
-
-Estimate time_ratio(const RaceEntry& slower, const RaceEntry& faster) {
-  return paired_ratio_estimate(samples(slower, &PhaseSeconds::total),
-                               samples(faster, &PhaseSeconds::total));
 }
 
 }  // namespace phytobench

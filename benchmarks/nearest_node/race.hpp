@@ -10,7 +10,6 @@
 #include "benchmarks/nearest_node/checked_growth.hpp"
 #include "benchmarks/nearest_node/pair_floor.hpp"
 #include "benchmarks/nearest_node/workload.hpp"
-#include "core/statistics/bootstrap.hpp"
 
 namespace phytobench {
 
@@ -54,7 +53,8 @@ struct RaceRequest {
                             ///< infinite: nothing is, and nothing is predicted
   bool measure_time = true;
   double timing_s = 60.0;        ///< of all timed rounds together, roughly
-  int rounds = 0;                ///< 0: as many as timing_s allows, at least 3, at most 25
+  int rounds = 0;                ///< 0: as many as timing_s allows, at most 25
+  int least_rounds = 3;          ///< whatever timing_s says; 1 to 25
   std::uint64_t order_seed = 0;  ///< of the order within each round, and of the judge's sample
   double replay_s = std::numeric_limits<double>::infinity();   ///< memory is measured by growing
                                                                ///< again, unless that takes longer
@@ -78,8 +78,5 @@ std::vector<double> samples(const RaceEntry& entry, double PhaseSeconds::*phase)
 
 /// Everything but association, removal and growth: the building of what is built once.
 double reset_seconds(const PhaseSeconds& seconds);
-
-/// How many times as long the slower entry takes, pairing what was timed in the same round.
-Estimate time_ratio(const RaceEntry& slower, const RaceEntry& faster);
 
 }  // namespace phytobench

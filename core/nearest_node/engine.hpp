@@ -24,6 +24,7 @@ inline constexpr NodeIndex no_node = -1;
 struct SearchableNode {
   Vector3 position;
   Vector3 direction;
+  friend constexpr bool operator==(const SearchableNode&, const SearchableNode&) = default;
 };
 
 /// Below this the square of a distance underflows and "nearer" loses its meaning.

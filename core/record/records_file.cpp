@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/contract/errors.hpp"
+#include "core/record/experiment_lines.hpp"
 #include "core/record/record_from_json.hpp"
-#include "core/record/sealed_lines.hpp"
 
 namespace phytobench {
 
@@ -39,7 +39,7 @@ class RecordsCollector {
       header_from(line);  // says first what is foreign
       throw InputError("the first line has lost its SHA-256; run the experiments again");
     }
-    pending_.push_back(record_from(line));
+    pending_.add(record_from(line));
   }
 
   void add_seal(const ordered_json& line, const Seal& seal) {
@@ -54,34 +54,28 @@ class RecordsCollector {
   bool has_header() const { return has_header_; }
 
   RecordsFile taken() {
-    if (!pending_.empty()) content_.unfinished = pending_[0].experiment;
+    content_.unfinished = pending_.experiment();
     return std::move(content_);
   }
 
  private:
   void complete(const ordered_json& line, const Seal& seal) {
+    std::vector<Record> records = pending_.completed(line);
     const std::string experiment = line.at("experiment");
-    if (pending_.size() != line.at("records").get<std::size_t>())
-      throw InputError("experiment '" + experiment +
-                       "' lost or gained records; run the experiments again");
     if (!experiments_.insert(experiment).second)
       throw InputError("experiment '" + experiment +
                        "' stands here twice; run the experiments again");
-    for (Record& record : pending_) {
-      if (record.experiment != experiment)
-        throw InputError("a record of '" + record.experiment + "' stands in '" + experiment +
-                         "'; run the experiments again");
+    for (Record& record : records) {
       if (!measurements_.insert(record.measurement).second)
         throw InputError("measurement '" + record.measurement +
                          "' stands here twice; run the experiments again");
       content_.records.push_back(std::move(record));
     }
-    pending_.clear();
     content_.experiments.push_back({experiment, seal.digest});
   }
 
   bool has_header_ = false;
-  std::vector<Record> pending_;
+  PendingLines<Record> pending_{record_words};
   RecordsFile content_;
   std::set<std::string> experiments_;
   std::set<std::string> measurements_;
@@ -98,22 +92,11 @@ std::string records_header(const RunHeader& header) {
 }
 
 std::string records_completion(const std::string& experiment, std::size_t records) {
-  ordered_json line;
-  line["experiment"] = experiment;
-  line["complete"] = true;
-  line["records"] = records;
-  return line.dump();
+  return completion_line(experiment, record_words, records).dump();
 }
 
 RecordsFile parse_records(const std::filesystem::path& file, std::string_view text) {
-  RecordsCollector collector;
-  read_sealed_lines(file, text,
-                    {.line = [&](const ordered_json& line) { collector.add_line(line); },
-                     .seal = [&](const ordered_json& line,
-                                 const Seal& seal) { collector.add_seal(line, seal); }});
-  if (!collector.has_header())
-    throw InputError(file.string() + ":1: is empty; run the experiments again");
-  return collector.taken();
+  return collect_sealed_lines<RecordsCollector>(file, text);
 }
 
 }  // namespace phytobench

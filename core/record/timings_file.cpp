@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/record/timings_file.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include <nlohmann/json.hpp>
 
 #include "core/contract/errors.hpp"
+#include "core/record/experiment_lines.hpp"
 #include "core/record/record_from_json.hpp"
-#include "core/record/sealed_lines.hpp"
 
 namespace phytobench {
 
@@ -20,7 +23,7 @@ class TimingsCollector {
  public:
   void add_line(const ordered_json& line) {
     if (!has_header_) refuse_header();
-    pending_.push_back(timing_from(line));
+    pending_.add(timing_from(line));
   }
 
   void add_seal(const ordered_json& line, const Seal& seal) {
@@ -36,7 +39,7 @@ class TimingsCollector {
   bool has_header() const { return has_header_; }
 
   TimingsFile taken() {
-    if (!pending_.empty()) content_.unfinished = pending_[0].experiment;
+    content_.unfinished = pending_.experiment();
     return std::move(content_);
   }
 
@@ -52,37 +55,29 @@ class TimingsCollector {
   }
 
   void start(const ordered_json& line) {
-    if (!pending_.empty())
-      throw InputError("timings of '" + pending_[0].experiment +
+    if (const auto experiment = pending_.experiment())
+      throw InputError("timings of '" + *experiment +
                        "' stand in no experiment; run the experiments again");
     content_.sessions.push_back(
         {.experiments = content_.experiments.size(), .environment_digest = line.at("environment")});
   }
 
   void complete(const ordered_json& line, const Seal& seal) {
-    const std::string experiment = line.at("experiment");
-    if (pending_.size() != line.at("timings").get<std::size_t>())
-      throw InputError("experiment '" + experiment +
-                       "' lost or gained timings; run the experiments again");
-    for (TimingSample& sample : pending_) {
-      if (sample.experiment != experiment)
-        throw InputError("a timing of '" + sample.experiment + "' stands in '" + experiment +
-                         "'; run the experiments again");
-      content_.timings.push_back(std::move(sample));
-    }
-    content_.experiments.push_back({.name = experiment,
+    std::vector<TimingSample> timings = pending_.completed(line);
+    const std::size_t count = timings.size();
+    std::move(timings.begin(), timings.end(), std::back_inserter(content_.timings));
+    content_.experiments.push_back({.name = line.at("experiment"),
                                     .records_digest = line.at("records_sha256"),
                                     .artifacts = line.contains("artifacts")
                                                      ? line.at("artifacts").get<ArtifactDigests>()
                                                      : ArtifactDigests(),
                                     .before = content_.last,
-                                    .timings = pending_.size(),
+                                    .timings = count,
                                     .line = seal.line});
-    pending_.clear();
   }
 
   bool has_header_ = false;
-  std::vector<TimingSample> pending_;
+  PendingLines<TimingSample> pending_{timing_words};
   TimingsFile content_;
 };
 
@@ -99,24 +94,14 @@ std::string timings_session(const std::string& environment_digest) {
 std::string timings_completion(const std::string& experiment, std::size_t timings,
                                const std::string& records_digest,
                                const ArtifactDigests& artifacts) {
-  ordered_json line;
-  line["experiment"] = experiment;
-  line["complete"] = true;
-  line["timings"] = timings;
+  ordered_json line = completion_line(experiment, timing_words, timings);
   line["records_sha256"] = records_digest;
   if (!artifacts.empty()) line["artifacts"] = artifacts;
   return line.dump();
 }
 
 TimingsFile parse_timings(const std::filesystem::path& file, std::string_view text) {
-  TimingsCollector collector;
-  read_sealed_lines(file, text,
-                    {.line = [&](const ordered_json& line) { collector.add_line(line); },
-                     .seal = [&](const ordered_json& line,
-                                 const Seal& seal) { collector.add_seal(line, seal); }});
-  if (!collector.has_header())
-    throw InputError(file.string() + ":1: is empty; run the experiments again");
-  return collector.taken();
+  return collect_sealed_lines<TimingsCollector>(file, text);
 }
 
 }  // namespace phytobench

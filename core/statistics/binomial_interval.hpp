@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/statistics/bootstrap.hpp"
+#include "core/statistics/estimate.hpp"
 
 namespace phytobench {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "core/statistics/bootstrap.hpp"
+#include "core/statistics/estimate.hpp"
 
 namespace phytobench {
 

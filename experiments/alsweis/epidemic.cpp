@@ -145,8 +145,14 @@ void record_gains(ExperimentContext& context, const std::vector<AllGains>& gains
                  neighbours(d), neighbours(d - 1), "m");
 }
 
+/// The weakest effect, that of a second ill neighbour under the slowest illness, is 5.3 +- 1.2
+/// standard errors in 20 pairs, below four under 4 of 25 seeds of the run; 60 pairs make it 9.
+std::size_t pairs_of(Tier tier) {
+  return tier == Tier::full ? 100 : 60;
+}
+
 void record_epidemic(ExperimentContext& context) {
-  std::vector<AllGains> gains(context.tier() == Tier::full ? 100 : 20);
+  std::vector<AllGains> gains(pairs_of(context.tier()));
   for_runs(context, "epidemic", gains.size(), [&](std::size_t run) {
     gains[run] = gains_of_seed(seed_of_run(context, question_epidemic, run));
   });
@@ -205,7 +211,7 @@ constinit const ExperimentDescriptor epidemic{
     .id = "alsweis/epidemic",
     .question = "Do healthy plants grow faster next to ill ones, the more so the worse these are?",
     .source = "[Alsweis] sec. 7.5, 7.6, figure 7.10",
-    .seconds = {1, 1, 2},
+    .seconds = {1.5, 1.5, 2},
     .run = run,
 };
 

@@ -40,16 +40,20 @@ TrunkShares trunk_shares(const Skeleton& tree, std::int32_t crown_root,
 
 /// Means over the heights, returned; half the height is recorded beside them.
 ByTree record_shares(ExperimentContext& context, const std::string& name,
-                     const std::function<TrunkShares(std::size_t)>& shares_of_tree) {
+                     const std::function<TrunkShares(std::size_t)>& shares_of_tree,
+                     std::size_t trees = trees_per_trend) {
   ByTree at_half;
-  const ByTree means =
-      record_trees(context, name + "/mean-trunk-share", "1", [&](std::size_t number) {
+  const ByTree means = record_trees(
+      context, name + "/mean-trunk-share", "1",
+      [&](std::size_t number) {
         const TrunkShares shares = shares_of_tree(number);
         at_half.push_back(shares.half_height);
         return shares.mean;
-      });
-  record_trees(context, name + "/trunk-share-at-half-height", "1",
-               [&](std::size_t number) { return at_half[number]; });
+      },
+      trees);
+  record_trees(
+      context, name + "/trunk-share-at-half-height", "1",
+      [&](std::size_t number) { return at_half[number]; }, trees);
   return means;
 }
 
@@ -63,22 +67,37 @@ TreeParameters tall_crown(double influence_distance) {
   return parameters;
 }
 
+ByTree shares_at(ExperimentContext& context, const std::string& name, double influence_distance,
+                 std::size_t trees) {
+  const TreeParameters parameters = tall_crown(influence_distance);
+  return record_shares(
+      context, name,
+      [&](std::size_t number) {
+        const Seedling seedling = make_seedling(tree_of_trend(parameters, context, number));
+        const Skeleton tree = grow_seedling(seedling, context).skeleton;
+        return trunk_shares(tree, seedling.crown_root, parameters.plant);
+      },
+      trees);
+}
+
 /// Fig. 20, larger distances first.
 void record_influence_distances(ExperimentContext& context) {
   std::vector<std::string> names;
   std::vector<ByTree> shares;
   for (const double distance : {16.0, 8.0, 4.0, 2.0, 1.0}) {
     names.push_back(fmt::format("{:.0f}", distance));
-    const TreeParameters parameters = tall_crown(distance);
-    shares.push_back(record_shares(context, "influence/" + names.back(), [&](std::size_t number) {
-      const Seedling seedling = make_seedling(tree_of_trend(parameters, context, number));
-      const Skeleton tree = grow_seedling(seedling, context).skeleton;
-      return trunk_shares(tree, seedling.crown_root, parameters.plant);
-    }));
+    shares.push_back(shares_at(context, "influence/" + names.back(), distance, trees_per_trend));
   }
   record_falling(context, "influence", names, shares);
   record_trend(context, "influence/4-to-1", shares[2], shares.back());
   record_trend(context, "influence/16-to-1", shares.front(), shares.back());
+}
+
+/// The weakest step of the rise, from 2 to 4.
+void record_weakest_step(ExperimentContext& context) {
+  const ByTree four = shares_at(context, "more-trees/4", 4.0, trees_per_weak_trend);
+  const ByTree two = shares_at(context, "more-trees/2", 2.0, trees_per_weak_trend);
+  record_trend(context, "more-trees/4-to-2", four, two);
 }
 
 ByTree record_habit(ExperimentContext& context, const char* figure) {
@@ -105,6 +124,7 @@ void record_habits(ExperimentContext& context) {
 
 void run(ExperimentContext& context) {
   record_influence_distances(context);
+  record_weakest_step(context);
   record_habits(context);
 }
 

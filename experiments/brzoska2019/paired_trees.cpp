@@ -34,10 +34,10 @@ GrownTree FullTrees::next() {
 }
 
 ByTree record_trees(ExperimentContext& context, const std::string& name, const std::string& unit,
-                    const std::function<double(std::size_t)>& value_of_tree) {
+                    const std::function<double(std::size_t)>& value_of_tree, std::size_t trees) {
   context.progress(name);
   ByTree values;
-  for (std::size_t number = 0; number < trees_per_trend; ++number) {
+  for (std::size_t number = 0; number < trees; ++number) {
     values.push_back(value_of_tree(number));
     context.record({.experiment = {},
                     .measurement = fmt::format("{}/tree-{:02}", name, number),

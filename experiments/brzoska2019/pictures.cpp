@@ -14,7 +14,7 @@ constexpr int full_scale = 4, full_samples = 2, full_quality = 90;
 /// The picture for reports, and, as it takes seven times the work, the full-size one in full runs.
 void draw_plant(ExperimentContext& context, const TreeParameters& parameters,
                 const std::string& name) {
-  const int threads = context.threads();
+  const int threads = context.untimed_threads();
   const std::vector<SceneObject> objects = scene_objects(
       make_plant(grow_thesis_tree(parameters, threads), parameters.plant), parameters.plant);
   const Camera camera = fitted({}, box_of(objects), static_cast<double>(width) / height);
@@ -53,7 +53,7 @@ constinit const ExperimentDescriptor pictures{
     .id = "brzoska2019/pictures",
     .question = "What do the plants of the thesis' figures look like, grown again?",
     .source = "[Brzoska2019] fig. 40-53",
-    .seconds = {12, 12, 120},
+    .seconds = {8, 8, 70},
     .run = run,
 };
 

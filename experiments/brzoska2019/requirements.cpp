@@ -10,6 +10,7 @@
 
 #include "core/geometry/bounding_box.hpp"
 #include "core/tree/branches.hpp"
+#include "core/tree/habit.hpp"
 #include "core/tree/obj_export.hpp"
 #include "core/tree/scene_object.hpp"
 #include "experiments/brzoska2019/thesis_tree.hpp"
@@ -26,20 +27,6 @@ std::int64_t whole(std::size_t number) {
 double height_per_width(const BoundingBox& box) {
   const Vector3 extent = box.extent();
   return extent.y / std::max(extent.x, extent.z);
-}
-
-/// Share of the cross-section through the middle of the crown that its thickest branch has: 1 for a
-/// trunk alone.
-double trunk_share(const Skeleton& tree, const std::vector<double>& radii, double height) {
-  double sum = 0.0, largest = 0.0;
-  for (std::size_t node = 1; node < tree.node_count(); ++node) {
-    const double above = tree.positions()[node].y;
-    const double below = tree.position(tree.parents()[node]).y;
-    if (std::min(above, below) > height || std::max(above, below) <= height) continue;
-    sum += radii[node] * radii[node];
-    largest = std::max(largest, radii[node] * radii[node]);
-  }
-  return sum > 0.0 ? largest / sum : 0.0;
 }
 
 /// FAO02, FAO03: crowns wide, tall and with a trunk.

@@ -113,7 +113,14 @@ void time_entry(ExperimentContext& context, const std::string& path, const RaceE
                     .unit = "B"});
 }
 
-void measure(ExperimentContext& context, double points, std::vector<Contestant> contestants) {
+/// With fewer than six rounds an interval of a median says nothing at 95 %.
+int least_rounds(const TomlTable& table, double points) {
+  const std::vector<double> decided = table.numbers("decided");
+  return std::ranges::find(decided, points) == decided.end() ? 3 : 6;
+}
+
+void measure(ExperimentContext& context, double points, std::vector<Contestant> contestants,
+             int rounds) {
   const Workload workload = scaled_test_tree({.points = points});
   const bool timed = context.tier() != Tier::smoke;
   const RaceResult result = race({
@@ -122,6 +129,7 @@ void measure(ExperimentContext& context, double points, std::vector<Contestant> 
       .budget_s = std::numeric_limits<double>::infinity(),
       .measure_time = timed,
       .timing_s = context.tier() == Tier::full ? 60.0 : 5.0,
+      .least_rounds = rounds,
       .order_seed = context.seed(),
       .replay_s = timed ? 60.0 : 0.0,
       .show_progress =
@@ -142,7 +150,7 @@ void run(ExperimentContext& context) {
   const TomlTable table = thesis_parameters().table("scaling");
   const Field field(table);
   for (const double points : table.numbers(std::string(name_of(context.tier()))))
-    measure(context, points, field.at(points));
+    measure(context, points, field.at(points), least_rounds(table, points));
 }
 
 }  // namespace

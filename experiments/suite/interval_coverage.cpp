@@ -9,6 +9,7 @@
 
 #include "core/random/counter_stream.hpp"
 #include "core/random/distributions.hpp"
+#include "core/statistics/bootstrap.hpp"
 #include "core/statistics/median_interval.hpp"
 #include "core/statistics/order_statistics.hpp"
 #include "core/statistics/power_law.hpp"

@@ -7,6 +7,7 @@
 
 #include "core/random/counter_stream.hpp"
 #include "reports/browser/report_fixture.hpp"
+#include "reports/document_places_known.hpp"
 
 namespace phytobench {
 namespace {
@@ -56,9 +57,8 @@ void expect_found(Page& page, const std::string& paper, const Place& place,
   page.click("document.querySelector('nav a[href=\"#" + paper + "-places\"]')");
   const std::string anchor =
       follow(page, fmt::format("[...document.querySelectorAll('#{}-places tr')].find(row => "
-                               "row.querySelector('th[scope=row]')?.textContent === {})"
-                               "?.querySelectorAll('a')",
-                               paper, quoted(shown(place))));
+                               "row.dataset.place === {})?.querySelectorAll('a')",
+                               paper, quoted(search_token(place))));
   EXPECT_NO_THROW(page.wait_until(is_revealed(anchor)));
   EXPECT_THAT(expected, testing::Contains(anchor));
 }
@@ -101,6 +101,60 @@ TEST_F(ReportInBrowserSlow, TwoClicksLeadFromTheTopToACellOfATable) {
     const std::string anchor = follow(page, links);
     EXPECT_NO_THROW(page.wait_until(is_revealed(anchor))) << anchor;
   }
+}
+
+TEST_F(ReportInBrowserSlow, EveryCellOfTheAppendixLeadsToItsClaim) {
+  Page& page = opened();
+  const auto cells = page.texts(
+      "[...document.querySelectorAll('#table-brzoska2019-appendix ~ .grids')][0]"
+      ".querySelector('table').tBodies[0].innerText.split('\\n')");
+  EXPECT_EQ(cells.size(), 22u) << "rows of the printed table";
+  EXPECT_THAT(cells, testing::Contains("Figure 46 middle\t15344\t20046\t1.6"));
+  EXPECT_EQ(page.evaluate("document.querySelector('#table-brzoska2019-appendix ~ .grids table')"
+                          ".querySelectorAll('a[href^=\"#claim-\"]').length"),
+            66);
+}
+
+TEST_F(ReportInBrowserSlow, EveryPlaceOfTheWorksIsInTheIndex) {
+  Page& page = opened();
+  for (const std::string paper : {"brzoska2019", "alsweis"})
+    for (const KnownPlace& known : known_places(paper)) {
+      const json row = page.evaluate(fmt::format(
+          "document.querySelector('#{}-places tr[data-place=\"{}\"] td')?.textContent ?? null",
+          paper, search_token(known.place)));
+      ASSERT_TRUE(row.is_string()) << shown(known.place);
+      EXPECT_NE(row.get<std::string>(), "") << shown(known.place) << " says nothing";
+    }
+}
+
+/// Boxes with tables that scroll sideways, or all whose captions do not fit into the window.
+constexpr const char* boxes_that_scroll = R"js([...document.querySelectorAll('.scroll:has(table)')]
+  .filter(box => box.checkVisibility() && box.scrollWidth > box.clientWidth + 1))js";
+constexpr const char* captions_cut_off = R"js([...document.querySelectorAll('caption:not(.hidden)')]
+  .filter(e => e.checkVisibility() && (e.closest('.scroll').scrollLeft = 99, true))
+  .filter(e => e.getBoundingClientRect().right > document.documentElement.clientWidth + 1 ||
+               e.getBoundingClientRect().left < 0).map(e => e.textContent))js";
+
+void unfold_and_draw_all(Page& page) {
+  page.evaluate(
+      "document.querySelectorAll('details').forEach(e => { e.open = true; });"
+      "document.querySelectorAll('*').forEach(e => { e.style.contentVisibility = 'visible'; });"
+      "new Promise(done => requestAnimationFrame(() => setTimeout(done, 100)))");
+}
+
+TEST_F(ReportInBrowserSlow, TablesFitOrScrollBelowTheirCaptions) {
+  Page& page = opened();
+  unfold_and_draw_all(page);
+  EXPECT_THAT(page.texts(std::string(boxes_that_scroll) + ".map(e => e.textContent.slice(0, 60))"),
+              testing::IsEmpty());
+  page.set_size(narrow_width, narrow_height);
+  unfold_and_draw_all(page);
+  EXPECT_TRUE(page.holds(std::string(boxes_that_scroll) + ".length > 5"));
+  EXPECT_THAT(page.texts(captions_cut_off), testing::IsEmpty());
+  EXPECT_THAT(page.texts(std::string(boxes_that_scroll) +
+                         ".filter(e => e.tabIndex !== 0 || e.getAttribute('role') !== 'region' ||"
+                         " !e.getAttribute('aria-label')).map(e => e.outerHTML.slice(0, 200))"),
+              testing::IsEmpty());
 }
 
 }  // namespace

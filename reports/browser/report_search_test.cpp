@@ -133,6 +133,76 @@ TEST_F(ReportInBrowserSlow, TheSearchFindsIdsAndWords) {
   EXPECT_TRUE(page.holds("document.getElementById('no-match').checkVisibility()"));
 }
 
+/// A search and a part of the name of a claim that it must find.
+TEST_F(ReportInBrowserSlow, TheSearchUnderstandsWhatTheWorksPrint) {
+  Page& page = opened();
+  for (const auto& [text, id] : std::vector<std::pair<std::string, std::string>>{
+           {"49,3", "table-1/euclid.s"},
+           {"Tabelle 1 Voxelgrid", "table-1/voxel.dn"},
+           {"Euklidischer Abstand 49,3", "table-1/euclid.s"},
+           {"Abbildung 46 (Rechts)", "appendix/fig-46-right.seconds"},
+           {"Abb. 46 mitte", "appendix/fig-46-middle.vertices"},
+           {"Anhang", "appendix/fig-52.seconds"},
+           {"Anhang A", "appendix/fig-52.seconds"},
+           {"10.292", "appendix/fig-40-left.vertices"},
+           {"FAO9", "fao09"},
+           {"FAO09", "fao09"},
+           {"D&N", "table-1/voxel.dn"},
+           {"D & N", "table-1/voxel.dn"},
+           {"S. 45", "eq-23/distance"},
+           {"Seite 45", "table-1/voxel.dn"},
+           {"L\u00f6schdistanz", "eq-17/formula"},
+           {"Loeschdistanz", "eq-17/formula"},
+           {"Gleichung 17", "eq-17/formula"},
+       }) {
+    search(page, text);
+    const Anchors named = claims_that([&, part = id](const json& claim) {
+      return claim["id"].get<std::string>().find(part) != std::string::npos;
+    });
+    ASSERT_FALSE(named.empty()) << id;
+    EXPECT_THAT(shown_claims(), testing::IsSupersetOf(named)) << text;
+    EXPECT_THAT(shown_claims(), testing::SizeIs(testing::Lt(claims_.size() / 4))) << text;
+  }
+}
+
+TEST_F(ReportInBrowserSlow, GermanWordsFindWhatTheEnglishOnesFind) {
+  Page& page = opened();
+  for (const char* word : {"Wang", "Kacheln", "Wang-Kacheln"}) {
+    search(page, word);
+    EXPECT_THAT(shown_claims(), testing::SizeIs(testing::Gt(5u))) << word;
+    EXPECT_THAT(page.texts("phytobenchQuery(phytobenchPlain(" + quoted(word) + ")).words[0]"),
+                testing::Contains("tile"));
+  }
+  const auto useless = page.texts(R"js((() => {
+    const texts = [...document.querySelectorAll('details.claim')].map(e => phytobenchPlain(e.textContent));
+    return phytobenchWords.filter(entry => !entry.slice(1).some(
+        form => texts.some(text => text.includes(form)))).map(entry => entry.join(' '));
+  })())js");
+  EXPECT_THAT(useless, IsEmpty()) << "no claim has any of these";
+}
+
+std::string answer_to(Page& page, const std::string& text) {
+  search(page, text);
+  return page
+      .evaluate(
+          "(e => e.checkVisibility() ? e.textContent : '')(document.getElementById("
+          "'no-match'))")
+      .get<std::string>();
+}
+
+TEST_F(ReportInBrowserSlow, APlaceWithoutClaimIsToldFromOneThatIsNot) {
+  Page& page = opened();
+  EXPECT_THAT(answer_to(page, "Abb. 23"),
+              testing::AllOf(testing::StartsWith("Figure 23 (p. 28) of Donat Deva Brzoska 2019: "),
+                             testing::HasSubstr("Section 3.5")));
+  EXPECT_THAT(answer_to(page, "Figure 3.9"), testing::HasSubstr("Monssef Alsweis"));
+  EXPECT_EQ(answer_to(page, "Abb. 99"), "None of the works has a figure 99.");
+  EXPECT_EQ(answer_to(page, "Gl. 99"), "None of the works has an equation 99.");
+  EXPECT_THAT(answer_to(page, "Seite 999"), testing::HasSubstr("page 999"));
+  EXPECT_EQ(answer_to(page, "Abb. 46"), "");
+  EXPECT_THAT(answer_to(page, "nowhere to be found"), testing::StartsWith("No claim matches."));
+}
+
 TEST_F(ReportInBrowserSlow, CaseAndDashesDoNotMatterToTheSearch) {
   Page& page = opened();
   search(page, "kill-distance");

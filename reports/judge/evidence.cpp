@@ -3,13 +3,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
 namespace phytobench {
 
+namespace {
+
+constexpr int most_shown_digits = 17;  // tell any two doubles apart
+
+/// The number that a reader sees. Unlike std::stod it bears what is nearly 0.
+double read_back(const std::string& text) {
+  return std::strtod(text.c_str(), nullptr);
+}
+
+}  // namespace
+
 Evidence::Evidence(const RunContents& run) {
-  for (const Record& record : run.records) records_[record.measurement] = record.value;
+  for (const Record& record : run.records) {
+    records_[record.measurement] = record.value;
+    if (record.sample_size > 1) sample_sizes_[record.measurement] = record.sample_size;
+  }
   for (const TimingSample& sample : run.timings) timings_[sample.measurement].push_back(sample);
   for (auto& [measurement, samples] : timings_)
     std::stable_sort(
@@ -54,6 +69,37 @@ std::map<std::int64_t, double> Evidence::rounds(const std::string& measurement) 
   return rounds;
 }
 
+std::optional<MedianOfRounds> Evidence::median_of(const std::string& measurement) const {
+  const std::vector<double> own = samples(measurement);
+  if (own.empty()) return std::nullopt;
+  if (is_timing(measurement)) return median_of_rounds(own);
+  return MedianOfRounds{{own[0], own[0], own[0]}};
+}
+
+std::optional<MedianOfRounds> Evidence::ratio_of(const std::string& first,
+                                                 const std::string& second) const {
+  if (!is_timing(first) && !is_timing(second)) {
+    const auto a = median_of(first), b = median_of(second);
+    if (!a || !b) return std::nullopt;
+    const double ratio = a->value / b->value;
+    return MedianOfRounds{{ratio, ratio, ratio}};
+  }
+  const std::map<std::int64_t, double> others = rounds(second);
+  std::vector<double> numerator, denominator;
+  for (const auto& [round, value] : rounds(first))
+    if (const auto other = others.find(round); other != others.end()) {
+      numerator.push_back(value);
+      denominator.push_back(other->second);
+    }
+  if (numerator.empty()) return std::nullopt;
+  return ratio_of_rounds(numerator, denominator);
+}
+
+std::int64_t Evidence::sample_size(const std::string& measurement) const {
+  const auto found = sample_sizes_.find(measurement);
+  return found == sample_sizes_.end() ? 1 : found->second;
+}
+
 std::int64_t Evidence::threads(const std::string& measurement) const {
   std::int64_t threads = 1;
   if (const auto timed = timings_.find(measurement); timed != timings_.end())
@@ -61,28 +107,42 @@ std::int64_t Evidence::threads(const std::string& measurement) const {
   return threads;
 }
 
-std::string shown(double value) {
+std::string shown(double value, int digits) {
   if (value == std::floor(value) && std::abs(value) < 1e15) return fmt::format("{:.0f}", value);
-  return fmt::format("{:.6g}", value);
+  return fmt::format("{:.{}g}", value, digits);
 }
 
-std::string shown(const RecordValue& value) {
+std::string shown(const RecordValue& value, int digits) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
-  return shown(std::get<double>(value));
+  return shown(std::get<double>(value), digits);
 }
 
-std::string shown_range(double low, double high) {
-  if (low == high) return "= " + shown(low);
+int digits_to_tell_apart(std::span<const double> numbers, std::span<const double> bounds,
+                         int least) {
+  const auto are_apart = [](double a, double b, int digits) {
+    if (a == b || !std::isfinite(a) || !std::isfinite(b)) return true;
+    const double shown_a = read_back(shown(a, digits)), shown_b = read_back(shown(b, digits));
+    return a < b ? shown_a < shown_b : shown_a > shown_b;
+  };
+  int digits = least;
+  for (const double number : numbers)
+    for (const double bound : bounds)
+      while (digits < most_shown_digits && !are_apart(number, bound, digits)) ++digits;
+  return digits;
+}
+
+std::string shown_range(double low, double high, int digits) {
+  if (low == high) return "= " + shown(low, digits);
   const double half = (high - low) / 2.0, centre = low + half;
   const auto is_close = [&](const std::string& text, double value) {
-    return std::abs(std::stod(text) - value) <= half / 10.0;
+    return std::abs(read_back(text) - value) <= half / 10.0;
   };
-  if (is_close(shown(low), low) && is_close(shown(high), high))
-    return fmt::format("{} to {}", shown(low), shown(high));
-  std::string text = shown(centre);
-  for (int digits = 7; digits <= 17 && !is_close(text, centre); ++digits)
-    text = fmt::format("{:.{}g}", centre, digits);
+  if (is_close(shown(low, digits), low) && is_close(shown(high, digits), high))
+    return fmt::format("{} to {}", shown(low, digits), shown(high, digits));
+  std::string text = shown(centre, digits);
+  for (int more = digits + 1; more <= most_shown_digits && !is_close(text, centre); ++more)
+    text = shown(centre, more);
   return fmt::format("{} ± {:.2g}", text, half);
 }
 

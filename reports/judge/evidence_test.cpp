@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "reports/judge/evidence.hpp"
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "core/random/counter_stream.hpp"
 
 namespace phytobench {
 namespace {
@@ -74,6 +78,46 @@ TEST(Evidence, GivesTimingsInTheOrderOfRounds) {
   EXPECT_EQ(evidence.samples("p/e/seconds"), (std::vector<double>{1.0, 0.5, 0.25}));
 }
 
+TEST(Evidence, HasMediansOfNumbersAndSaysOnHowManyRoundsTheyRest) {
+  const Evidence evidence(mixed_run());
+  EXPECT_EQ(evidence.median_of("p/e/count")->value, 7.0);
+  EXPECT_EQ(evidence.median_of("p/e/count")->rounds, 0u) << "it is exact";
+  EXPECT_EQ(evidence.median_of("p/e/seconds")->value, 0.5);
+  EXPECT_EQ(evidence.median_of("p/e/seconds")->rounds, 3u);
+  EXPECT_FALSE(evidence.median_of("p/e/text"));
+  EXPECT_FALSE(evidence.median_of("p/e/unknown"));
+}
+
+TEST(Evidence, DividesTimesOfTheSameRoundOnly) {
+  RunContents run = mixed_run();
+  for (const std::int64_t round : {1, 2, 7})
+    run.timings.push_back(sample_of("p/e/half", round, round == 1 ? 0.25 : 0.125));
+  const Evidence evidence(run);
+  const auto ratio = evidence.ratio_of("p/e/seconds", "p/e/half");
+  EXPECT_EQ(ratio->rounds, 2u);
+  EXPECT_EQ(ratio->low, 2.0);
+  EXPECT_EQ(ratio->high, 2.0);
+  run.timings = {sample_of("p/e/a", 0, 1.0), sample_of("p/e/b", 1, 1.0)};
+  EXPECT_FALSE(Evidence(run).ratio_of("p/e/a", "p/e/b")) << "no round has both";
+}
+
+TEST(Evidence, DividesRecordedNumbersExactly) {
+  const Evidence evidence(mixed_run());
+  EXPECT_EQ(evidence.ratio_of("p/e/count", "p/e/real")->value, 14.0);
+  EXPECT_EQ(evidence.ratio_of("p/e/count", "p/e/real")->rounds, 0u);
+  EXPECT_FALSE(evidence.ratio_of("p/e/count", "p/e/text"));
+  EXPECT_FALSE(evidence.ratio_of("p/e/count", "p/e/seconds"));
+}
+
+TEST(Evidence, KnowsHowManyRandomValuesAreSummedUp) {
+  RunContents run = mixed_run();
+  run.records[1].sample_size = 40;
+  const Evidence evidence(run);
+  EXPECT_EQ(evidence.sample_size("p/e/real"), 40);
+  EXPECT_EQ(evidence.sample_size("p/e/count"), 1);
+  EXPECT_EQ(evidence.sample_size("p/e/unknown"), 1);
+}
+
 TEST(Evidence, NamesTheLargestNumberOfThreads) {
   RunContents run = mixed_run();
   run.timings = {sample_of("p/e/seconds", 0, 1.0, 1), sample_of("p/e/seconds", 1, 1.0, 3),
@@ -101,6 +145,58 @@ TEST(ShownValue, HoldsRealsWithSixSignificantDigits) {
 
 TEST(ShownValue, HoldsTextsUntouched) {
   EXPECT_EQ(shown(RecordValue{std::string("500fa216eb9f6dc4")}), "500fa216eb9f6dc4");
+}
+
+TEST(ShownValue, HoldsAsManyDigitsAsAskedFor) {
+  EXPECT_EQ(shown(1.0 / 3.0, 9), "0.333333333");
+  EXPECT_EQ(shown(5200.0, 2), "5200") << "whole numbers are exact";
+}
+
+int digits_between(double number, double bound, int least = shown_digits) {
+  return digits_to_tell_apart(std::vector{number}, std::vector{bound}, least);
+}
+
+TEST(DigitsToTellApart, AreAsFewAsWillDo) {
+  EXPECT_EQ(digits_between(1.2, 1.3), 6);
+  EXPECT_EQ(digits_between(1.2, 1.3, 4), 4);
+  EXPECT_EQ(digits_between(1.2345678, 1.2345), 6);
+  EXPECT_EQ(digits_between(1.23456, 1.23456), 6) << "equal numbers may look equal";
+  EXPECT_EQ(digits_between(0.99999999, 1.0), 8);
+  EXPECT_EQ(digits_between(1.0000004, 1.0), 8);
+  EXPECT_EQ(digits_between(std::nextafter(1.0, 2.0), 1.0), 17);
+  EXPECT_EQ(digits_between(std::nextafter(1.0, 0.0), 1.0), 16);
+  EXPECT_EQ(digits_between(std::nextafter(0.1, 1.0), 0.1), 17);
+}
+
+TEST(DigitsToTellApart, BearNumbersThatAreNone) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(digits_between(infinity, 1.0), 6);
+  EXPECT_EQ(digits_between(std::numeric_limits<double>::quiet_NaN(), 1.0), 6);
+  EXPECT_EQ(digits_between(4.9e-324, 0.0), 6) << "beyond what std::stod reads";
+}
+
+// Whatever a number and its bound are, a reader sees on which side it lies.
+TEST(DigitsToTellApartLaw, KeepOrderAndOneFewerDoesNot) {
+  CounterStream stream(60, 0);
+  for (int i = 0; i < 2000; ++i) {
+    const double bound = 10.0 * stream.next_unit() - 5.0;
+    const double number = bound + std::pow(10.0, -16.0 * stream.next_unit()) *
+                                      (stream.next_unit() < 0.5 ? -1.0 : 1.0);
+    if (number == bound) continue;
+    const int digits = digits_between(number, bound);
+    const auto order = [&](int d) {
+      const double a = std::stod(shown(number, d)), b = std::stod(shown(bound, d));
+      return (a > b) - (a < b);
+    };
+    EXPECT_EQ(order(digits), number > bound ? 1 : -1) << number << " " << bound;
+    if (digits > shown_digits) {
+      EXPECT_EQ(order(digits - 1), 0);
+    }
+  }
+}
+
+TEST(ShownRange, HoldsAsManyDigitsAsAskedFor) {
+  EXPECT_EQ(shown_range(1.0 / 3.0, 2.0 / 3.0, 8), "0.33333333 to 0.66666667");
 }
 
 TEST(ShownRange, ShowsBoundsThatRoundingLeavesInPlace) {

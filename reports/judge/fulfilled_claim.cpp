@@ -130,7 +130,7 @@ Measurements measurements_of(const Claim& claim, const Evidence& evidence) {
   };
   const auto add = [&](const std::string& name) {
     if (evidence.is_timing(name))
-      measurements[name] = median_estimate(evidence.samples(name)).value;
+      measurements[name] = evidence.median_of(name)->value;
     else if (const auto value = evidence.recorded(name))
       measurements[name] = *value;
   };

@@ -10,70 +10,15 @@
 
 #include <fmt/format.h>
 
-#include "core/statistics/median_interval.hpp"
-#include "core/statistics/order_statistics.hpp"
 #include "core/statistics/power_law.hpp"
+#include "reports/judge/judge_wording.hpp"
 
 namespace phytobench {
 
 namespace {
 
-/// "brzoska2019/table-1/voxel.s/seconds" -> "voxel.s/seconds": the experiment is clear from the
-/// claim.
-std::string short_name(const std::string& measurement) {
-  const std::size_t first = measurement.find('/');
-  const std::size_t second = first == std::string::npos ? first : measurement.find('/', first + 1);
-  return second == std::string::npos ? measurement : measurement.substr(second + 1);
-}
-
-std::string expression_of(const ClaimCheck& check, const std::vector<std::string>& term) {
-  switch (check.subject) {
-    case CheckSubject::ratio:
-      return short_name(term[0]) + " : " + short_name(term[1]);
-    case CheckSubject::ratio_of_ratios:
-      return "(" + short_name(term[0]) + " : " + short_name(term[1]) + ") : (" +
-             short_name(term[2]) + " : " + short_name(term[3]) + ")";
-    case CheckSubject::exponent:
-      return fmt::format("exponent of {} against {} and {} more pairs", short_name(term[0]),
-                         short_name(term[1]), term.size() / 2 - 1);
-    case CheckSubject::sum: {
-      std::string text;
-      for (const std::string& part : term)
-        text += (text.empty() ? "" : " ") + part.substr(0, 1) + " " + short_name(part.substr(1));
-      return text;
-    }
-    default:
-      break;
-  }
-  std::string text;
-  for (const std::string& part : term) text += (text.empty() ? "" : ", ") + short_name(part);
-  return text;
-}
-
 std::string id_of(const ClaimCheck& check, const std::string& part) {
   return check.subject == CheckSubject::sum ? part.substr(1) : part;
-}
-
-std::string wanted_of(const ClaimCheck& check) {
-  std::string text;
-  if (check.subject == CheckSubject::same)
-    text = "all the same";
-  else if (check.subject == CheckSubject::different)
-    text = "not all the same";
-  else if (check.equals_text && check.subject != CheckSubject::matches)
-    text = "= " + *check.equals_text;
-  else if (check.equals)
-    text = "= " + shown(*check.equals);
-  else if (check.low && check.high)
-    text = shown_range(*check.low, *check.high);
-  else if (check.low)
-    text = ">= " + shown(*check.low);
-  else
-    text = "<= " + shown(*check.high);
-  if (check.subject == CheckSubject::matches) text += " equal to " + *check.equals_text;
-  if (check.terms.size() > 1)
-    text += fmt::format(" in {} of {}", check.required, check.terms.size());
-  return text;
 }
 
 /// Value of one round of a term.
@@ -94,7 +39,8 @@ double combine(const ClaimCheck& check, const std::vector<std::string>& term,
   }
 }
 
-CheckOutcome outcome_of(const Estimate& estimate, const ClaimCheck& check) {
+CheckOutcome outcome_of(const MedianOfRounds& estimate, const ClaimCheck& check) {
+  if (estimate.is_only_range()) return CheckOutcome::undecided;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double low = check.equals.value_or(check.low.value_or(-infinity));
   const double high = check.equals.value_or(check.high.value_or(infinity));
@@ -106,22 +52,20 @@ CheckOutcome outcome_of(const Estimate& estimate, const ClaimCheck& check) {
   return CheckOutcome::undecided;
 }
 
-std::string shown_estimate(const Estimate& estimate) {
-  if (estimate.low == estimate.high) return shown(estimate.value);
-  return fmt::format("{:.4g} [{:.4g}, {:.4g}]", estimate.value, estimate.low, estimate.high);
-}
-
 /// `same` and `different` compare every bit: what is shown may be rounded.
 JudgedTerm judge_comparison(const ClaimCheck& check, const std::vector<std::string>& term,
                             const Evidence& evidence, JudgedTerm judged) {
   std::vector<RecordValue> values;
-  std::vector<std::string> texts;
+  std::vector<double> numbers;
   for (const std::string& part : term) {
     const auto value = evidence.recorded(part);
     if (!value) return judged;
     values.push_back(*value);
-    texts.push_back(shown(*value));
+    if (const auto* real = std::get_if<double>(&*value)) numbers.push_back(*real);
   }
+  const int digits = digits_to_tell_apart(numbers, numbers);
+  std::vector<std::string> texts;
+  for (const RecordValue& value : values) texts.push_back(shown(value, digits));
   const bool same =
       std::all_of(values.begin(), values.end(), [&](const auto& v) { return v == values[0]; });
   judged.measured = same ? texts[0] : fmt::format("{}", fmt::join(texts, ", "));
@@ -179,7 +123,7 @@ JudgedTerm judge_matches(const ClaimCheck& check, const std::string& prefix,
   if (!check.accident_steps.empty())
     judged.measured +=
         fmt::format(", {:.1f} expected by accident", expected_accidents(check, values));
-  judged.outcome = outcome_of({count, count, count}, check);
+  judged.outcome = outcome_of({{count, count, count}}, check);
   return judged;
 }
 
@@ -189,9 +133,9 @@ JudgedTerm judge_exponent(const ClaimCheck& check, const std::vector<std::string
                           const Evidence& evidence, JudgedTerm judged) {
   std::vector<double> x, y;
   for (std::size_t i = 0; i < term.size(); ++i) {
-    const std::vector<double> samples = evidence.samples(term[i]);
-    if (samples.empty()) return judged;
-    (i % 2 == 0 ? y : x).push_back(median_estimate(samples).value);
+    const auto found = evidence.median_of(term[i]);
+    if (!found) return judged;
+    (i % 2 == 0 ? y : x).push_back(found->value);
   }
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
   judged.outcome = CheckOutcome::fails;
@@ -200,8 +144,8 @@ JudgedTerm judge_exponent(const ClaimCheck& check, const std::vector<std::string
     return judged;
   const auto law = fit_power_law(x, y);
   if (!law) return judged;
-  judged.measured = shown_estimate(law->exponent);
-  judged.outcome = outcome_of(law->exponent, check);
+  judged.number = MedianOfRounds{law->exponent};
+  judged.outcome = outcome_of(*judged.number, check);
   return judged;
 }
 
@@ -244,22 +188,14 @@ JudgedTerm judge_term(const ClaimCheck& check, const std::vector<std::string>& t
   if (check.equals_text) return judge_text(check, term[0], evidence, judged);
   const std::vector<double> combined = combined_by_round(check, term, evidence);
   if (combined.empty()) return judged;
-  if (combined.size() == 1) {
-    const Estimate exact{combined[0], combined[0], combined[0]};
-    judged.measured = shown_estimate(exact);
-    judged.outcome = outcome_of(exact, check);
-  } else if (const auto estimate = median_interval(combined)) {
-    judged.measured = shown_estimate(*estimate);
-    judged.outcome = outcome_of(*estimate, check);
-  } else {  // not even the extremes of so few rounds enclose the median often enough
-    judged.measured = fmt::format("{} in {} rounds", shown(median(combined)), combined.size());
-    judged.outcome = CheckOutcome::undecided;
-  }
+  judged.number = combined.size() == 1 ? MedianOfRounds{{combined[0], combined[0], combined[0]}}
+                                       : median_of_rounds(combined);
+  judged.outcome = outcome_of(*judged.number, check);
   return judged;
 }
 
 JudgedCheck judge_check(const ClaimCheck& check, const Evidence& evidence) {
-  JudgedCheck judged{wanted_of(check), check.why, CheckOutcome::missing, {}};
+  JudgedCheck judged{"", check.why, CheckOutcome::missing, {}};
   std::size_t holds = 0, undecided = 0, missing = 0;
   for (const auto& term : check.terms) {
     judged.terms.push_back(judge_term(check, term, evidence));
@@ -268,6 +204,7 @@ JudgedCheck judge_check(const ClaimCheck& check, const Evidence& evidence) {
     undecided += outcome == CheckOutcome::undecided;
     missing += outcome == CheckOutcome::missing;
   }
+  word_numbers(check, judged);
   if (holds + undecided + missing < check.required) {
     judged.outcome = CheckOutcome::fails;  // no evidence that is still missing could save it
   } else if (missing > 0) {

@@ -3,6 +3,7 @@
 // never reads a file.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct JudgedTerm {
   std::string expression;  ///< "squared.s/seconds / binary.s/seconds"
   std::string measured;    ///< "1.91 [1.88, 1.95]"
   CheckOutcome outcome = CheckOutcome::missing;
+  std::optional<MedianOfRounds> number = std::nullopt;  ///< what the bounds decided on, if a number
 };
 
 struct JudgedCheck {

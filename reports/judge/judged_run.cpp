@@ -22,16 +22,16 @@ Place largest_of(const std::vector<std::vector<double>>& values) {
 
 /// Medians of one quantity in every cell; `complete` says whether each had evidence.
 template <class Id>
-std::vector<std::vector<Estimate>> cell_estimates(const PublishedTable& table,
-                                                  const Evidence& evidence, const Id& id,
-                                                  bool& complete) {
-  std::vector<std::vector<Estimate>> values;
+std::vector<std::vector<MedianOfRounds>> cell_estimates(const PublishedTable& table,
+                                                        const Evidence& evidence, const Id& id,
+                                                        bool& complete) {
+  std::vector<std::vector<MedianOfRounds>> values;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     auto& own = values.emplace_back();
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
-      const std::vector<double> samples = evidence.samples(id(row, column));
-      complete &= !samples.empty();
-      own.push_back(samples.empty() ? Estimate{} : median_estimate(samples));
+      const auto median = evidence.median_of(id(row, column));
+      complete &= median.has_value();
+      own.push_back(median.value_or(MedianOfRounds{}));
     }
   }
   return values;
@@ -96,13 +96,11 @@ JudgedTable judge_table(const PublishedTable& table, const Evidence& evidence) {
     for (const Estimate& estimate : row) own.push_back(estimate.value);
   }
   const Place largest = largest_of(medians);
-  const std::vector<double> slowest = evidence.samples(id(largest.row, largest.column));
+  const std::string slowest = id(largest.row, largest.column);
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     auto& shares = judged.share.emplace_back();
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
-      const std::vector<double> samples = evidence.samples(id(row, column));
-      shares.push_back(samples.size() == slowest.size() ? paired_ratio_estimate(samples, slowest)
-                                                        : Estimate{});
+      shares.push_back(evidence.ratio_of(id(row, column), slowest).value_or(MedianOfRounds{}));
     }
   }
   return judged;

@@ -16,7 +16,7 @@ namespace phytobench {
 struct JudgedCompanion {
   std::string name;
   bool timed = false;
-  std::vector<std::vector<Estimate>> values;
+  std::vector<std::vector<MedianOfRounds>> values;
 };
 
 /// A published table beside what was measured, in its own layout.
@@ -24,10 +24,11 @@ struct JudgedTable {
   const PublishedTable* table = nullptr;
   bool measured = false;                             ///< every cell has evidence
   bool timed = false;                                ///< cells are times
-  std::vector<std::vector<Estimate>> values;         ///< per row and column
+  std::vector<std::vector<MedianOfRounds>> values;   ///< per row and column
   std::vector<std::vector<double>> published_share;  ///< of the largest published cell
-  std::vector<std::vector<Estimate>> share;  ///< of the largest measured cell, paired by round
-  std::vector<JudgedCompanion> companions;   ///< those with evidence in every cell
+  std::vector<std::vector<MedianOfRounds>>
+      share;                                ///< of the largest measured cell, paired by round
+  std::vector<JudgedCompanion> companions;  ///< those with evidence in every cell
   std::vector<std::vector<double>>
       published_per;                              ///< published value per unit of work; empty: none
   std::vector<std::vector<double>> measured_per;  ///< median per unit of work; empty: none

@@ -60,6 +60,7 @@ TEST(JudgedTable, HoldsMediansAndSharesOfTheSlowestCell) {
   EXPECT_TRUE(judged.timed);
   EXPECT_EQ(judged.published_share, (Numbers{{1.0, 0.75}, {0.5, 0.25}}));
   const Numbers medians = {{8.0, 4.0}, {2.0, 1.0}};
+  EXPECT_TRUE(judged.values[0][0].is_only_range()) << "three rounds have no interval";
   ASSERT_EQ(judged.values.size(), 2u);
   ASSERT_EQ(judged.share.size(), 2u);
   for (std::size_t row = 0; row < 2; ++row) {
@@ -110,6 +111,7 @@ TEST(JudgedTable, OfCountsIsNotTimed) {
   EXPECT_FALSE(judged.timed);
   ASSERT_EQ(judged.values.size(), 2u);
   EXPECT_EQ(judged.values[1][0].value, 2.0);
+  EXPECT_EQ(judged.values[1][0].rounds, 0u);
   EXPECT_EQ(judged.values[1][0].low, 2.0);
   EXPECT_EQ(judged.values[1][0].high, 2.0);
 }

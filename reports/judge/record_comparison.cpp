@@ -6,6 +6,7 @@
 
 #include "core/contract/check.hpp"
 #include "reports/exact_text.hpp"
+#include "reports/judge/record_paths.hpp"
 #include "reports/judge/run_comparison.hpp"
 
 namespace phytobench {
@@ -30,10 +31,13 @@ bool is_same_record(const Record& a, const Record& b) {
          (!a.spread || is_same(*a.spread, *b.spread));
 }
 
+const Record& first_of(const Row& row) {
+  return **std::find_if(row.begin(), row.end(), [](const Record* record) { return record; });
+}
+
 bool are_same(const Row& row) {
-  const auto first = std::find_if(row.begin(), row.end(), [](const Record* r) { return r; });
-  return std::all_of(first, row.end(), [&](const Record* record) {
-    return !record || is_same_record(**first, *record);
+  return std::all_of(row.begin(), row.end(), [&](const Record* record) {
+    return !record || is_same_record(first_of(row), *record);
   });
 }
 
@@ -44,13 +48,6 @@ std::string text_of(const Record& record, bool with_sample) {
   text += " (n " + std::to_string(record.sample_size);
   if (record.spread) text += ", spread " + exact_text(*record.spread);
   return text + ")";
-}
-
-std::optional<double> number_of(const Record& record) {
-  if (const auto* whole = std::get_if<std::int64_t>(&record.value))
-    return static_cast<double>(*whole);
-  if (const auto* real = std::get_if<double>(&record.value)) return *real;
-  return std::nullopt;
 }
 
 std::optional<double> relative_difference(const Row& row) {
@@ -67,7 +64,10 @@ std::optional<double> relative_difference(const Row& row) {
 }
 
 DifferingRecord differing_record(const std::string& measurement, const Row& row) {
-  DifferingRecord differing{.measurement = measurement, .values = {}, .relative = {}};
+  DifferingRecord differing{.experiment = first_of(row).experiment,
+                            .measurement = measurement,
+                            .values = {},
+                            .relative = {}};
   for (const bool with_sample : {false, true}) {
     differing.values.clear();
     for (const Record* record : row)
@@ -82,6 +82,26 @@ DifferingRecord differing_record(const std::string& measurement, const Row& row)
   }
   differing.relative = relative_difference(row);
   return differing;
+}
+
+/// Below every number, so that what has none comes last.
+double size_of(const DifferingRecord& record) {
+  return record.relative.value_or(-1.0);
+}
+
+/// Experiments whose largest difference is larger come first, and within each larger differences;
+/// what is equal stays in the order of names.
+void sort_by_size(std::vector<DifferingRecord>& records) {
+  std::map<std::string, double> largest;
+  for (const DifferingRecord& record : records) {
+    double& size = largest.try_emplace(record.experiment, size_of(record)).first->second;
+    size = std::max(size, size_of(record));
+  }
+  std::stable_sort(records.begin(), records.end(), [&](const auto& a, const auto& b) {
+    if (a.experiment == b.experiment) return size_of(a) > size_of(b);
+    const double first = largest.at(a.experiment), second = largest.at(b.experiment);
+    return first != second ? first > second : a.experiment < b.experiment;
+  });
 }
 
 }  // namespace
@@ -106,11 +126,13 @@ RecordComparison compare_records(std::span<const RunContents* const> runs) {
       continue;
     }
     ++comparison.shared;
+    ++comparison.shared_of[first_of(row).experiment];
     if (are_same(row))
       ++comparison.equal;
     else
       comparison.differing.push_back(differing_record(measurement, row));
   }
+  sort_by_size(comparison.differing);
   return comparison;
 }
 

@@ -41,11 +41,14 @@ std::string RecordsBelow::text(const std::string& name) const {
   return text ? *text : "";
 }
 
-std::optional<double> number_of(const Record& record) {
-  if (const auto* whole = std::get_if<std::int64_t>(&record.value))
-    return static_cast<double>(*whole);
-  if (const auto* real = std::get_if<double>(&record.value)) return *real;
+std::optional<double> number_of(const RecordValue& value) {
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+  if (const auto* real = std::get_if<double>(&value)) return *real;
   return std::nullopt;
+}
+
+std::optional<double> number_of(const Record& record) {
+  return number_of(record.value);
 }
 
 }  // namespace phytobench

@@ -31,7 +31,8 @@ class RecordsBelow {
   std::map<std::string, const Record*> by_name_;
 };
 
-/// The number a record holds; nothing for text.
+/// The number that a value, or a record's value, is; nothing for text.
+std::optional<double> number_of(const RecordValue& value);
 std::optional<double> number_of(const Record& record);
 
 }  // namespace phytobench

@@ -48,11 +48,11 @@ Judgement contradicted_judgement(std::span<const LabelledRun> runs, const Compar
   for (std::size_t run = 0; run < runs.size(); ++run) {
     const Judgement& own = judgement_of(runs[run], paper, claim);
     const std::string separator = run > 0 ? "; " : "";
-    merged.reason +=
-        separator + runs[run].label + ": " + std::string(name_of(compared.verdicts[run]));
-    merged.measured += separator + runs[run].label + ": " + own.measured;
+    const std::string letter = run_letter(run);
+    merged.reason += separator + letter + ": " + std::string(name_of(compared.verdicts[run]));
+    merged.measured += separator + letter + ": " + own.measured;
     for (JudgedCheck check : own.checks) {
-      for (JudgedTerm& term : check.terms) term.expression += " (" + runs[run].label + ")";
+      for (JudgedTerm& term : check.terms) term.expression += " (" + letter + ")";
       merged.checks.push_back(std::move(check));
     }
   }
@@ -126,6 +126,12 @@ JudgedScaling merged_scaling(std::span<const LabelledRun> runs) {
 
 }  // namespace
 
+std::string run_letter(std::size_t place) {
+  constexpr std::size_t letters = 26;
+  const std::string last(1, static_cast<char>('A' + place % letters));
+  return place < letters ? last : run_letter(place / letters - 1) + last;
+}
+
 bool is_decided(Verdict verdict) {
   return verdict == Verdict::reproduced || verdict == Verdict::reproduced_with_erratum ||
          verdict == Verdict::not_reproduced;
@@ -160,7 +166,8 @@ MergedRuns merge_runs(std::vector<LabelledRun> runs) {
   merged.comparison.records = compare_records(all);
   // From here on the first run's papers, to whose claims all judgements point, are the merged ones.
   for (LabelledRun& run : runs)
-    merged.comparison.runs.push_back({std::move(run.label), std::move(run.judged.run)});
+    merged.comparison.runs.push_back(
+        {std::move(run.label), std::move(run.judged.run), std::move(run.folder)});
   merged.judged = std::move(runs.front().judged);
   merged.judged.run = std::move(contents);
   merged.judged.scaling = std::move(scaling);

@@ -4,6 +4,7 @@
 // mixes two machines.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,7 +21,11 @@ bool is_decided(Verdict verdict);
 struct LabelledRun {
   std::string label;  ///< "GCC 12.2.0 on AMD EPYC"; no two are equal
   JudgedRun judged;
+  std::string folder = {};  ///< as the user named it; empty: not to be shown
 };
+
+/// The short name of the run in that place, from 0: A to Z, then AA, AB and so on.
+std::string run_letter(std::size_t place);
 
 /// The verdict of several runs on one claim.
 struct MergedVerdict {
@@ -44,6 +49,7 @@ struct ComparedClaim {
 
 /// A measurement that is not the same in all runs that have it.
 struct DifferingRecord {
+  std::string experiment;
   std::string measurement;
   std::vector<std::optional<std::string>> values;  ///< of each run that has it
   std::optional<double> relative;  ///< largest difference over the larger magnitude; numbers only
@@ -53,13 +59,17 @@ struct RecordComparison {
   std::size_t in_all = 0;  ///< measurements that all runs have
   std::size_t shared = 0;  ///< that at least two runs have
   std::size_t equal = 0;   ///< of those, the same bit for bit in each run that has them
-  std::vector<DifferingRecord> differing;  ///< the others of those, by name
-  std::vector<std::size_t> only_in;        ///< for each run, those that no other has
+  /// The others of those, experiment by experiment: the one with the largest relative difference
+  /// first, and so within each; what has no such difference (texts) comes last.
+  std::vector<DifferingRecord> differing;
+  std::vector<std::size_t> only_in;                   ///< for each run, those that no other has
+  std::map<std::string, std::size_t> shared_of = {};  ///< the shared ones by experiment
 };
 
 struct ComparedRun {
   std::string label;
   RunContents contents;
+  std::string folder = {};  ///< as the user named it; empty: not to be shown
 };
 
 struct RunComparison {
@@ -75,8 +85,8 @@ struct MergedRuns {
 };
 
 /// Of at least two runs. A claim has the merged verdict and the evidence of the run that gives it;
-/// a contradicted one has the evidence of all. Tables, studies and experiments are those of the
-/// first run that has them.
+/// a contradicted one has the evidence of all, which calls the runs by their letters. Tables,
+/// studies and experiments are those of the first run that has them.
 MergedRuns merge_runs(std::vector<LabelledRun> runs);
 
 /// Value, unit, size and spread of each sample, bit for bit; seeds are not compared.

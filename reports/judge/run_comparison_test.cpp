@@ -120,6 +120,34 @@ TEST(RecordComparison, ComparesTextsWithoutADistance) {
   EXPECT_EQ(comparison.differing[0].relative, std::nullopt);
 }
 
+Record record_of(const std::string& experiment, const std::string& name, RecordValue value) {
+  return {.experiment = experiment, .measurement = experiment + "/" + name, .value = value};
+}
+
+TEST(RecordComparison, OrdersDifferencesBySizeWithinExperimentsByTheirLargest) {
+  RunContents first, second;
+  first.records = {record_of("p/a", "tiny", 1.0),  record_of("p/a", "small", 1.0),
+                   record_of("p/b", "equal", 1.0), record_of("p/b", "text", std::string("x")),
+                   record_of("p/b", "large", 1.0), record_of("p/c", "text", std::string("x"))};
+  second.records = {record_of("p/a", "tiny", 1.01), record_of("p/a", "small", 1.1),
+                    record_of("p/b", "equal", 1.0), record_of("p/b", "text", std::string("y")),
+                    record_of("p/b", "large", 2.0), record_of("p/c", "text", std::string("y"))};
+  const RecordComparison comparison =
+      compare_records(std::vector<const RunContents*>{&first, &second});
+  std::vector<std::string> names;
+  for (const DifferingRecord& record : comparison.differing) names.push_back(record.measurement);
+  EXPECT_THAT(names, ElementsAre("p/b/large", "p/b/text", "p/a/small", "p/a/tiny", "p/c/text"));
+  EXPECT_EQ(comparison.differing[0].experiment, "p/b");
+  EXPECT_EQ(comparison.shared_of.at("p/b"), 3u);
+}
+
+TEST(RunLetter, GoesOnBehindZ) {
+  EXPECT_EQ(run_letter(0), "A");
+  EXPECT_EQ(run_letter(25), "Z");
+  EXPECT_EQ(run_letter(26), "AA");
+  EXPECT_EQ(run_letter(26 * 27), "AAA");
+}
+
 /// A run of one paper with two claims, judged as given.
 LabelledRun run_of(const std::string& label, Verdict first, Verdict second) {
   LabelledRun run{label, {}};
@@ -164,13 +192,13 @@ TEST(MergeRuns, TakesVerdictAndEvidenceFromTheRunThatDecides) {
 }
 
 TEST(MergeRuns, CallsAContradictionInconclusiveAndNamesTheRuns) {
-  const MergedRuns merged = merged_runs(run_of("A", holds, holds), run_of("B", fails, holds));
+  const MergedRuns merged = merged_runs(run_of("GCC", holds, holds), run_of("Clang", fails, holds));
   const Judgement& judgement = merged.judged.papers[0].judgements[0];
   EXPECT_EQ(judgement.verdict, noise);
   EXPECT_TRUE(judgement.contradicted);
   EXPECT_EQ(judgement.reason,
             "The runs disagree: A: reproduced; B: not reproduced. Bounds are exact.");
-  EXPECT_EQ(judgement.measured, "A: A value; B: B value");
+  EXPECT_EQ(judgement.measured, "A: GCC value; B: Clang value");
   ASSERT_EQ(judgement.checks.size(), 2u) << "the evidence of both";
   EXPECT_EQ(judgement.checks[1].terms[0].expression, "x (B)");
   EXPECT_FALSE(judgement.is_unexpected()) << "as noise contradicts nothing";

@@ -80,17 +80,16 @@ class ScalingJudge {
     if (at.evaluations && floor > 0.0) at.over_floor = *at.evaluations / floor;
     if (const auto bytes = number(place.size, of("bytes")); bytes && size.points > 0.0)
       at.bytes_per_point = *bytes / size.points;
-    if (const auto seconds = seconds_of(place); !seconds.empty())
-      at.seconds = median_estimate(seconds);
-    for (const char* phase : {"build", "association", "kill", "growth"}) {
-      const auto samples = evidence_.samples(id(place.size, of(phase + std::string("_seconds"))));
-      if (!samples.empty()) at.phase_seconds[phase] = median_estimate(samples).value;
-    }
+    at.seconds = evidence_.median_of(seconds_of(place));
+    for (const char* phase : {"build", "association", "kill", "growth"})
+      if (const auto seconds =
+              evidence_.median_of(id(place.size, of(phase + std::string("_seconds")))))
+        at.phase_seconds[phase] = seconds->value;
     return at;
   }
 
-  std::vector<double> seconds_of(const Place& place) const {
-    return evidence_.samples(id(place.size, place.entry + "/seconds"));
+  std::string seconds_of(const Place& place) const {
+    return id(place.size, place.entry + "/seconds");
   }
 
   void fit(ScaledEntry& entry) const {
@@ -119,11 +118,9 @@ class ScalingJudge {
   }
 
   /// Time of a over time of b, paired by round.
-  std::optional<Estimate> time_ratio(const std::string& a, const std::string& b,
-                                     double size) const {
-    const auto first = seconds_of({size, a}), second = seconds_of({size, b});
-    if (first.empty() || first.size() != second.size()) return std::nullopt;
-    return paired_ratio_estimate(first, second);
+  std::optional<MedianOfRounds> time_ratio(const std::string& a, const std::string& b,
+                                           double size) const {
+    return evidence_.ratio_of(seconds_of({size, a}), seconds_of({size, b}));
   }
 
   void find_crossovers() {
@@ -145,8 +142,10 @@ class ScalingJudge {
   }
 
   /// From the last size where `a` is certainly faster to the first beyond where `b` certainly is.
+  /// With too few rounds for certainty all of them must agree, and it stays open.
   void find_crossover(const ScaledEntry& a, const ScaledEntry& b) {
     double last = 0.0, last_ratio = 0.0;
+    std::size_t last_rounds = 0;
     for (const auto& [size, at] : a.at) {
       if (!b.at.contains(size)) continue;
       const auto ratio = time_ratio(a.name, b.name, size);
@@ -154,12 +153,14 @@ class ScalingJudge {
       if (ratio->high < 1.0) {
         last = size;
         last_ratio = ratio->value;
+        last_rounds = ratio->rounds;
       } else if (ratio->low > 1.0 && last > 0.0) {
         const double from = std::log(last), to = std::log(size);
         const double share =
             -std::log(last_ratio) / (std::log(ratio->value) - std::log(last_ratio));
-        judged_.crossovers.push_back(
-            {a.name, b.name, last, size, std::exp(from + share * (to - from))});
+        judged_.crossovers.push_back({a.name, b.name, last, size,
+                                      std::exp(from + share * (to - from)),
+                                      std::min(last_rounds, ratio->rounds)});
         last = 0.0;
       }
     }
@@ -171,22 +172,23 @@ class ScalingJudge {
     if (!measured) return judged;
     judged.measured = *measured;
     judged.varies = aim.kind != Aim::Kind::over_floor;
-    const double sign = aim.more_is_better() ? 1.0 : -1.0;
-    const auto certainly = [&](double bound) {
-      return std::min(sign * measured->low, sign * measured->high) >= sign * bound;
-    };
-    const auto possibly = [&](double bound) {
-      return std::max(sign * measured->low, sign * measured->high) >= sign * bound;
-    };
-    using State = JudgedAim::State;
-    judged.state = certainly(aim.aim)    ? State::reached
-                   : certainly(aim.must) ? State::must_reached
-                   : possibly(aim.must)  ? State::open
-                                         : State::missed;
+    judged.state = state_of(aim, *measured);
     return judged;
   }
 
-  std::optional<Estimate> measure(const Aim& aim) const {
+  static JudgedAim::State state_of(const Aim& aim, const MedianOfRounds& measured) {
+    using State = JudgedAim::State;
+    if (measured.is_only_range()) return State::open;
+    const double sign = aim.more_is_better() ? 1.0 : -1.0;
+    const double least = std::min(sign * measured.low, sign * measured.high);
+    const double most = std::max(sign * measured.low, sign * measured.high);
+    return least >= sign * aim.aim    ? State::reached
+           : least >= sign * aim.must ? State::must_reached
+           : most >= sign * aim.must  ? State::open
+                                      : State::missed;
+  }
+
+  std::optional<MedianOfRounds> measure(const Aim& aim) const {
     switch (aim.kind) {
       case Aim::Kind::ratio:
         return time_ratio(aim.entries.at(0), aim.entries.at(1), aim.sizes.at(0));
@@ -200,29 +202,28 @@ class ScalingJudge {
     return std::nullopt;
   }
 
-  /// Two sizes are not timed in the same rounds; the interval takes the worst of both.
-  std::optional<Estimate> per_point(const Aim& aim) const {
-    const ScaledEntry* entry = find(aim.entries.at(0));
+  /// Sizes are timed one after the other. Pairing their rounds removes nothing that they share, but
+  /// for independent rounds the interval is as exact as any.
+  std::optional<MedianOfRounds> per_point(const Aim& aim) const {
+    const std::string& entry = aim.entries.at(0);
     const double large = aim.sizes.at(0), small = aim.sizes.at(1);
-    if (entry == nullptr || !entry->at.contains(large) || !entry->at.contains(small))
+    auto ratio = evidence_.ratio_of(seconds_of({large, entry}), seconds_of({small, entry}));
+    if (!ratio || !judged_.sizes.contains(large) || !judged_.sizes.contains(small))
       return std::nullopt;
-    const auto &of_large = entry->at.at(large).seconds, &of_small = entry->at.at(small).seconds;
-    if (!of_large || !of_small) return std::nullopt;
     const double points = judged_.sizes.at(large).points / judged_.sizes.at(small).points;
-    return Estimate{of_large->value / of_small->value / points,
-                    of_large->low / of_small->high / points,
-                    of_large->high / of_small->low / points};
+    for (double* end : {&ratio->value, &ratio->low, &ratio->high}) *end /= points;
+    return ratio;
   }
 
-  std::optional<Estimate> largest(const Aim& aim,
-                                  std::optional<double> ScaledEntry::AtSize::*quantity) const {
-    std::optional<Estimate> most;
+  std::optional<MedianOfRounds> largest(
+      const Aim& aim, std::optional<double> ScaledEntry::AtSize::*quantity) const {
+    std::optional<MedianOfRounds> most;
     for (const std::string& name : aim.entries) {
       const ScaledEntry* entry = find(name);
       if (entry == nullptr) continue;
       for (const auto& [size, at] : entry->at)
         if (const auto& value = at.*quantity; value && (!most || *value > most->value))
-          most = Estimate{*value, *value, *value};
+          most = MedianOfRounds{{*value, *value, *value}};
     }
     return most;
   }

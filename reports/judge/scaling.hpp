@@ -47,8 +47,8 @@ ScalingStudy load_scaling_study(const std::string& id);
 struct JudgedAim {
   enum class State { reached, must_reached, missed, open, not_measured };
   Aim aim;
-  State state = State::not_measured;  ///< open: the interval holds the bound
-  Estimate measured;
+  State state = State::not_measured;  ///< open: too few rounds, or the interval holds the bound
+  MedianOfRounds measured;
   bool varies = true;
 };
 
@@ -56,7 +56,7 @@ struct JudgedAim {
 struct ScaledEntry {
   struct AtSize {
     bool exact = false;
-    std::optional<Estimate> seconds;
+    std::optional<MedianOfRounds> seconds;
     std::optional<double> evaluations;
     std::optional<double> cells_visited;
     std::optional<double> over_floor;
@@ -77,13 +77,17 @@ struct ScaledSize {
   double removal_pairs = 0.0;      ///< floor
 };
 
-/// `slower` is faster up to `low` points and slower from `high` points on.
+/// `overtaken` is faster up to `low` points and slower from `high` points on.
 struct Crossover {
   std::string overtaken;
   std::string overtaking;
   double low = 0.0;
   double high = 0.0;
-  double about = 0.0;  ///< where straight lines between the medians cross, on logarithmic axes
+  double about = 0.0;      ///< where straight lines between the medians cross, on logarithmic axes
+  std::size_t rounds = 0;  ///< of the side that has fewer
+
+  /// Too few rounds at one side to be sure of it, though none of them says otherwise.
+  bool is_open() const { return rounds < fewest_rounds; }
 };
 
 struct JudgedScaling {

@@ -16,6 +16,7 @@ using State = JudgedAim::State;
 /// A run of an experiment "p/s", written measurement by measurement.
 class MadeUpRun {
  public:
+  explicit MadeUpRun(int rounds = 6) : rounds_(rounds) {}
   void count(const std::string& name, std::int64_t value) {
     run_.records.push_back({.experiment = "p/s", .measurement = "p/s/" + name, .value = value});
   }
@@ -27,12 +28,12 @@ class MadeUpRun {
     count(at + "/floor/association_pairs", points);
     count(at + "/floor/removal_pairs", points / 4);
   }
-  /// An exact entry that took about `seconds` in each of three rounds.
+  /// An exact entry that took about `seconds` in each round.
   void entry(int points, const std::string& name, double seconds, std::int64_t evaluations) {
     const std::string at = std::to_string(points) + "/" + name;
     count(at + "/exact", 1);
     count(at + "/evaluations", evaluations);
-    for (int round = 0; round < 3; ++round) {
+    for (int round = 0; round < rounds_; ++round) {
       sample(at + "/seconds", round, seconds * (1.0 + 0.01 * round));
       sample(at + "/growth_seconds", round, 0.5 * seconds);
     }
@@ -52,12 +53,13 @@ class MadeUpRun {
   }
 
  private:
+  int rounds_;
   RunContents run_;
 };
 
 /// Time as points, and as points squared but cheaper at first.
-MadeUpRun two_engines() {
-  MadeUpRun run;
+MadeUpRun two_engines(int rounds = 6) {
+  MadeUpRun run(rounds);
   for (const int points : {1000, 10000, 100000}) {
     run.size(points);
     run.entry(points, "fast.dn", 1e-6 * points, 3 * points);
@@ -105,6 +107,30 @@ TEST(JudgeScaling, NamesWhereCurvesCross) {
   EXPECT_EQ(crossover.low, 1000);
   EXPECT_EQ(crossover.high, 100000);
   EXPECT_NEAR(crossover.about, 10000, 1e-6);
+  EXPECT_EQ(crossover.rounds, 6u);
+  EXPECT_FALSE(crossover.is_open());
+}
+
+TEST(JudgeScaling, LeavesACrossoverOfFewRoundsOpen) {
+  const JudgedScaling judged = two_engines(3).judged();
+  ASSERT_EQ(judged.crossovers.size(), 1u);
+  EXPECT_EQ(judged.crossovers[0].rounds, 3u);
+  EXPECT_TRUE(judged.crossovers[0].is_open());
+}
+
+TEST(JudgeScaling, FindsNoCrossoverWhereTheRoundsDisagree) {
+  MadeUpRun run(0);
+  for (const int points : {1000, 10000}) {
+    run.size(points);
+    const std::string at = std::to_string(points);
+    for (const char* name : {"a.dn", "b.dn"}) run.entry(points, name, 1.0, 1);
+    for (int round = 0; round < 6; ++round) {
+      run.sample(at + "/b.dn/seconds", round, 1.0);
+      // Slower at the larger size, but for one round of six.
+      run.sample(at + "/a.dn/seconds", round, points == 1000 || round == 0 ? 0.5 : 2.0);
+    }
+  }
+  EXPECT_TRUE(run.judged().crossovers.empty());
 }
 
 TEST(JudgeScaling, CurvesThatDoNotCrossGiveNoCrossover) {
@@ -170,12 +196,56 @@ TEST(JudgeAim, IsOpenWhereTheIntervalHoldsTheBound) {
   run.size(1000);
   run.entry(1000, "a.dn", 1.0, 1);
   run.count("1000/b.dn/exact", 1);
-  for (int round = 0; round < 3; ++round)
+  for (int round = 0; round < 6; ++round)
     run.sample("1000/b.dn/seconds", round, 0.05 + 0.1 * round);
   Aim aim = ratio_aim(6, 1000);
   aim.entries = {"a.dn", "b.dn"};
   aim.sizes = {1000};
-  EXPECT_EQ(run.judged({aim}).aims[0].state, State::open);
+  const JudgedAim judged = run.judged({aim}).aims[0];
+  EXPECT_EQ(judged.state, State::open);
+  EXPECT_FALSE(judged.measured.is_only_range());
+}
+
+// Three equal ratios of 10 would be sure of themselves by a bootstrap.
+TEST(JudgeAim, StaysOpenWithFewerThanSixRoundsAndShowsTheirRange) {
+  for (const int rounds : {1, 3, 5, 6}) {
+    const JudgedAim judged = two_engines(rounds).judged({ratio_aim(5, 9)}).aims[0];
+    EXPECT_EQ(judged.state, rounds < 6 ? State::open : State::reached) << rounds;
+    EXPECT_EQ(judged.measured.rounds, static_cast<std::size_t>(rounds));
+    EXPECT_NEAR(judged.measured.low, 10.0, 1e-9);
+    EXPECT_NEAR(judged.measured.high, 10.0, 1e-9);
+  }
+  EXPECT_EQ(two_engines(3).judged({ratio_aim(15, 20)}).aims[0].state, State::open) << "nor missed";
+}
+
+TEST(JudgeAim, DividesTimesPerPointByRoundsThatBothSizesHave) {
+  MadeUpRun run(0);
+  Aim aim = ratio_aim(1.8, 1.2);
+  aim.kind = Aim::Kind::per_point;
+  aim.entries = {"fast.dn"};
+  aim.sizes = {100000, 1000};
+  for (const int points : {1000, 100000}) {
+    run.size(points);
+    run.entry(points, "fast.dn", 1.0, points);
+    for (int round = 0; round < (points == 1000 ? 25 : 7); ++round)
+      run.sample(std::to_string(points) + "/fast.dn/seconds", round, 1e-6 * points);
+  }
+  const JudgedAim judged = run.judged({aim}).aims[0];
+  EXPECT_EQ(judged.state, State::reached);
+  EXPECT_EQ(judged.measured.rounds, 7u);
+  EXPECT_NEAR(judged.measured.high, 1.0, 1e-9);
+}
+
+TEST(JudgeAim, DecidesOnCountsAndMemoryWithoutRounds) {
+  MadeUpRun run = two_engines(3);
+  for (const int points : {1000, 10000, 100000})
+    run.sample(std::to_string(points) + "/fast.dn/bytes", 0, 50.0 * points);
+  Aim memory = ratio_aim(64, 44);
+  memory.kind = Aim::Kind::bytes_per_point;
+  memory.entries = {"fast.dn"};
+  memory.sizes = {};
+  EXPECT_EQ(run.judged({memory}).aims[0].state, State::must_reached);
+  EXPECT_EQ(run.judged({memory}).aims[0].measured.rounds, 0u);
 }
 
 TEST(JudgeAim, WithoutEvidenceIsNotMeasured) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/contract/check.hpp"
+#include "reports/judge/record_paths.hpp"
 
 namespace phytobench {
 
@@ -13,17 +14,12 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-double number_of(const RecordValue& value) {
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
-  return std::get<double>(value);
-}
-
 bool is_text(const RecordValue& value) {
   return std::holds_alternative<std::string>(value);
 }
 
 double scale_of(const RecordValue& value) {
-  const double size = std::abs(number_of(value));
+  const double size = std::abs(number_of(value).value());
   return size > 0.0 ? size : 1.0;
 }
 
@@ -90,7 +86,8 @@ class RefutationSearch {
     Refutation found{names, measurements_.at(names[0]), changed.at(names[0]), 0.0};
     if (!is_text(found.before) && !is_text(found.after))
       found.relative_change =
-          std::abs(number_of(found.after) - number_of(found.before)) / scale_of(found.before);
+          std::abs(number_of(found.after).value() - number_of(found.before).value()) /
+          scale_of(found.before);
     if (!best_ || found.relative_change < best_->relative_change) best_ = found;
     return true;
   }

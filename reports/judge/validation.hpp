@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/record/run_files.hpp"
-#include "core/statistics/bootstrap.hpp"
+#include "core/statistics/estimate.hpp"
 #include "core/statistics/median_interval.hpp"
 
 namespace phytobench {
