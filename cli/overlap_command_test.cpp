@@ -134,6 +134,20 @@ TEST_F(OverlapCommand, RacesEngines) {
   EXPECT_THAT(own.out, HasSubstr("1 overlapping pairs"));
 }
 
+TEST_F(OverlapCommand, RaceSaysOnceAndLastWhatFewRoundsHaveInsteadOfIntervals) {
+  const std::string discs = file("few.csv", "x,y,r\n1,2,3\n2,3,4\n");
+  const auto race = [&](const std::string& rounds) {
+    return run_line("race overlap --engines sweep --discs " + discs + " --rounds " + rounds).out;
+  };
+  const std::string few = race("5");
+  const auto note = few.find("\nOf 5 rounds, with the least and the most");
+  ASSERT_NE(note, std::string::npos) << few;
+  EXPECT_EQ(few.rfind("Of 5 rounds"), note + 1);
+  EXPECT_EQ(few.find("areas alone", note), std::string::npos) << "below all tables:\n" << few;
+  EXPECT_NE(few.find("areas alone"), std::string::npos);
+  EXPECT_EQ(race("6").find("with the least"), std::string::npos);
+}
+
 TEST_F(OverlapCommand, RaceTakesSizesWorldsApart) {
   const Outcome outcome =
       run_line("race overlap --engines layered_grid,sweep --rounds 2 --discs " +

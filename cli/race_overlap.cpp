@@ -179,15 +179,24 @@ std::string other_line(const OverlapEntry& entry) {
   return {};
 }
 
+std::string heading_with(const EndsInWords& ends) {
+  return fmt::format("{:>10}  {:>10} - {:>10}  {:>8} {:<14}", "median", ends.from, "to", "fastest",
+                     ends.ratio);
+}
+
+/// Areas of all pairs, without the search for them.
+std::string lens_table(const std::vector<LensEntry>& lens, const EndsInWords& ends) {
+  std::string text = fmt::format("\n{:<27} {}\n", "areas alone", heading_with(ends));
+  for (const LensEntry& entry : lens)
+    text += timed_line(entry.name, entry.seconds, lens.back().seconds, "");
+  return text;
+}
+
 std::string table(const OverlapWorkload& workload, const OverlapRaceResult& result) {
   std::string text = fmt::format(
       "{}: {} overlapping pairs\njudged by the {}; areas of a sample are right to {:.1e}\n\n",
       workload.name, result.pairs, result.judge, result.largest_area_error);
   const auto ranked = ranking(result);
-  const auto heading_with = [](const EndsInWords& ends) {
-    return fmt::format("{:>10}  {:>10} - {:>10}  {:>8} {:<14}", "median", ends.from, "to",
-                       "fastest", ends.ratio);
-  };
   const EndsInWords ends = ends_in_words(ranked.empty() ? 0 : ranked.front()->seconds.size());
   if (!ranked.empty())
     text += fmt::format("{:<27} {}  looked at/pair\n", "engine", heading_with(ends));
@@ -198,13 +207,11 @@ std::string table(const OverlapWorkload& workload, const OverlapRaceResult& resu
                            : fmt::format("{:.3g}", static_cast<double>(entry->work.candidates) /
                                                        static_cast<double>(result.pairs)));
   for (const OverlapEntry& entry : result.entries) text += other_line(entry);
-  text += ends.note;
-  if (result.lens.empty()) return text;
-  text += fmt::format("\n{:<27} {}\n", "areas alone",
-                      heading_with(ends_in_words(result.lens.front().seconds.size())));
-  for (const LensEntry& lens : result.lens)
-    text += timed_line(lens.name, lens.seconds, result.lens.back().seconds, "");
-  return text;
+  if (result.lens.empty()) return text + ends.note;
+  const EndsInWords lens_ends = ends_in_words(result.lens.front().seconds.size());
+  text += lens_table(result.lens, lens_ends);
+  // Once: it explains "least" and "most", in whichever heading they stand.
+  return text + (ends.note.empty() ? lens_ends.note : ends.note);
 }
 
 }  // namespace

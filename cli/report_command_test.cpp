@@ -103,7 +103,9 @@ TEST_F(ReportCommandSlow, CallsAClaimInconclusiveThatTwoCompilersDecideDifferent
   EXPECT_THAT(read("merged/report.md"), HasSubstr("## 2 runs side by side"));
   EXPECT_THAT(read("merged/index.html"), HasSubstr("id=\"comparison\""));
   EXPECT_THAT(read("merged/records-that-differ.csv"),
-              HasSubstr("brzoska2019/attraction-cloud/height/default,Clang 14.0.6 on X,1.7\n"));
+              HasSubstr("brzoska2019/attraction-cloud/height/default,B,Clang 14.0.6 on X,1.7\n"));
+  EXPECT_THAT(read("merged/junit.xml"),
+              HasSubstr("<property name=\"run B\" value=\"Clang 14.0.6 on X\"/>"));
   EXPECT_EQ(run({"report", "a", "b", "--out", "merged", "--strict"}).code, 5);
 }
 

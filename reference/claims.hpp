@@ -72,7 +72,7 @@ struct Claim {
   std::string basis;
   Tier tier = Tier::smoke;
   Verdict expected_verdict = Verdict::reproduced;
-  /// The verdict we derived from the text before anything was built; what the run gives is compared
+  /// The verdict we predicted from the text; what the run gives is compared
   /// with it in the report. Every claim of a file has one.
   std::optional<Verdict> predicted_verdict;
   std::string difference;  ///< why the expected verdict is not the predicted one; else empty

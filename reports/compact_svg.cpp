@@ -230,9 +230,12 @@ std::string compact_svg(const std::string& svg) {
   const SvgTokens tokens = with_joined_groups(svg_tokens(svg));
   const SvgTokens joined = with_joined_groups(with_joined_rules(with_placed_letters(tokens)));
   const bool is_gnuplots = svg.find("gnuplot_canvas") != std::string::npos;
+  bool defines = false;  // marks, in a unit that those who use them enlarge
   std::string text;
-  for (const std::string& token : with_joined_circles(joined))
-    text += with_steps(is_gnuplots ? without_the_usual(token) : token, is_gnuplots);
+  for (const std::string& token : with_joined_circles(joined)) {
+    if (opens(token, "defs") || token == "</defs>") defines = token != "</defs>";
+    text += with_steps(is_gnuplots ? without_the_usual(token) : token, is_gnuplots && !defines);
+  }
   return text;
 }
 

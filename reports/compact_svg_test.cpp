@@ -68,6 +68,14 @@ TEST(CompactSvg, RoundsGnuplotsCornersOnly) {
             "<g id=\"gnuplot_canvas\"><path d='M1.2 4.6h6.7'/></g>");
 }
 
+TEST(CompactSvg, KeepsTheShapeOfMarksThatAreEnlarged) {
+  const std::string start =
+      "<g id=\"gnuplot_canvas\"><defs><path id='m' d='M0,1.330L1.265,0.411L0.782,-1.067z'/></defs>"
+      "<use xlink:href='#m' transform='translate(1.23,4.56) scale(4.20)'/>";
+  EXPECT_EQ(compact_svg(start + "<path d='M1.23,4.56L7.89,4.56'/></g>"),
+            start + "<path d='M1.2 4.6h6.7'/></g>");
+}
+
 TEST(CompactSvgLaw, ChangesNothingMore) {
   const std::string svg =
       "<svg viewBox=\"0 0 9 9\"><g fill=\"none\" stroke=\"a\"><circle cx=\"1\" cy=\"2\" r=\"1\"/>"

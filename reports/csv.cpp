@@ -35,7 +35,7 @@ Fields claim_fields(const Claim& claim, const Judgement& judgement, bool hidden,
           claim.digits ? std::to_string(*claim.digits) : "",
           hidden ? "" : judgement.measured,
           hidden ? "" : std::string(name_of(judgement.verdict)),
-          shown_verdict(judgement, hidden).label,
+          hidden ? left_out_row : std::string(row_of(judgement).identifier),
           claim.basis,
           std::string(name_of(claim.expected_verdict)),
           claim.predicted_verdict ? std::string(name_of(*claim.predicted_verdict)) : "",
@@ -75,6 +75,13 @@ Fields sample_fields(const TimingSample& sample) {
           std::to_string(sample.round),
           std::to_string(sample.position),
           std::to_string(sample.threads)};
+}
+
+/// What names a run: reasons and measured values call it by its letter.
+const Fields run_heading = {"letter", "run"};
+
+Fields run_fields(std::span<const ComparedRun> runs, std::size_t run) {
+  return {run_letter(run), runs[run].label};
 }
 
 /// The rows of one run; `first` stands before each.
@@ -122,30 +129,32 @@ std::string records_csv(const RunContents& run, bool without_varying) {
 }
 
 std::string records_csv(std::span<const ComparedRun> runs, bool without_varying) {
-  std::string csv = csv_line(joined({"run"}, record_heading));
-  for (const ComparedRun& run : runs)
-    csv += record_rows(run.contents, {run.label}, without_varying);
+  std::string csv = csv_line(joined(run_heading, record_heading));
+  for (std::size_t run = 0; run < runs.size(); ++run)
+    csv += record_rows(runs[run].contents, run_fields(runs, run), without_varying);
   return csv;
 }
 
 std::string claims_by_run_csv(const RunComparison& comparison, bool without_varying) {
-  std::string csv = csv_line({"id", "run", "verdict", "measured", "merged_verdict"});
+  std::string csv =
+      csv_line(joined(joined({"id"}, run_heading), {"verdict", "measured", "merged_verdict"}));
   for (const ComparedClaim& claim : comparison.claims) {
     if (without_varying && claim.varies) continue;
     for (std::size_t run = 0; run < comparison.runs.size(); ++run)
-      csv +=
-          csv_line({claim.id, comparison.runs[run].label, std::string(name_of(claim.verdicts[run])),
-                    claim.measured[run], std::string(name_of(claim.merged))});
+      csv += csv_line(joined(joined({claim.id}, run_fields(comparison.runs, run)),
+                             {std::string(name_of(claim.verdicts[run])), claim.measured[run],
+                              std::string(name_of(claim.merged))}));
   }
   return csv;
 }
 
 std::string differing_records_csv(const RunComparison& comparison) {
-  std::string csv = csv_line({"measurement", "run", "value"});
+  std::string csv = csv_line(joined(joined({"measurement"}, run_heading), {"value"}));
   for (const DifferingRecord& record : comparison.records.differing)
     for (std::size_t run = 0; run < comparison.runs.size(); ++run)
       if (record.values[run])
-        csv += csv_line({record.measurement, comparison.runs[run].label, *record.values[run]});
+        csv += csv_line(joined(joined({record.measurement}, run_fields(comparison.runs, run)),
+                               {*record.values[run]}));
   return csv;
 }
 

@@ -21,7 +21,8 @@ std::string claims_csv(const JudgedRun& judged, bool without_varying);
 /// samples.
 std::string records_csv(const RunContents& run, bool without_varying);
 
-/// The same of several runs, with a first column that names the run.
+/// The same of several runs, with first columns that name the run: the letter by which claims.csv
+/// calls it, and its label.
 std::string records_csv(std::span<const ComparedRun> runs, bool without_varying);
 
 /// One row per claim and run: what each run alone says. Left out on request: what rests on times.

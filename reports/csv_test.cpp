@@ -132,9 +132,13 @@ TEST(RecordsCsv, NamesEachOfSeveralRuns) {
   const std::vector<ComparedRun> runs = {{"here, now", small_run()}, {"there", small_run()}};
   const auto rows = rows_of(records_csv(runs, false));
   ASSERT_EQ(rows.size(), 7u);
-  EXPECT_EQ(rows[0][0], "run");
-  EXPECT_EQ(rows[1][0], "here, now");
-  EXPECT_EQ(rows[6][0], "there");
+  EXPECT_EQ(rows[0][0], "letter");
+  EXPECT_EQ(rows[0][1], "run");
+  EXPECT_EQ(rows[0].size(), rows[1].size());
+  EXPECT_EQ(rows[1][0], "A");
+  EXPECT_EQ(rows[1][1], "here, now");
+  EXPECT_EQ(rows[6][0], "B");
+  EXPECT_EQ(rows[6][1], "there");
 }
 
 /// A paper with one exact and one timed judgement; they point into the claims beside them.
@@ -222,6 +226,8 @@ TEST(ClaimsCsv, NamesTheRowThatTheReportCountsAClaimIn) {
   auto fitted = row_of(claims_csv(judged, false), 1);
   EXPECT_EQ(fitted["verdict"], "reproduced");
   EXPECT_EQ(fitted["row"], "reproduced, fitted");
+  judged.papers[0].judgements[0].verdict = Verdict::reproduced_with_erratum;
+  EXPECT_EQ(row_of(claims_csv(judged, false), 1)["row"], "reproduced with erratum");
 }
 
 TEST(ClaimsCsv, LeavesOutWhatRestsOnTimesOnRequest) {
@@ -250,10 +256,12 @@ TEST(ClaimsByRunCsv, HoldsOneRowPerClaimAndRun) {
                         .varies = true}};
   const auto rows = rows_of(claims_by_run_csv(comparison, false));
   ASSERT_EQ(rows.size(), 5u);
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"id", "letter", "run", "verdict", "measured",
+                                               "merged_verdict"}));
   EXPECT_EQ(rows[2],
-            (std::vector<std::string>{"p/a", "there", "not reproduced", "2", "inconclusive"}));
+            (std::vector<std::string>{"p/a", "B", "there", "not reproduced", "2", "inconclusive"}));
   EXPECT_EQ(rows[3],
-            (std::vector<std::string>{"p/b", "here", "inconclusive", "1.9", "reproduced"}));
+            (std::vector<std::string>{"p/b", "A", "here", "inconclusive", "1.9", "reproduced"}));
   EXPECT_EQ(rows_of(claims_by_run_csv(comparison, true)).size(), 3u);
 }
 
@@ -264,7 +272,8 @@ TEST(DifferingRecordsCsv, HoldsOneRowPerValue) {
       {.measurement = "p/e/x", .values = {"1", std::nullopt, "2"}, .relative = 0.5}};
   const auto rows = rows_of(differing_records_csv(comparison));
   ASSERT_EQ(rows.size(), 3u);
-  EXPECT_EQ(rows[2], (std::vector<std::string>{"p/e/x", "elsewhere", "2"}));
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"measurement", "letter", "run", "value"}));
+  EXPECT_EQ(rows[2], (std::vector<std::string>{"p/e/x", "C", "elsewhere", "2"}));
 }
 
 }  // namespace

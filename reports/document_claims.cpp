@@ -2,6 +2,7 @@
 #include "reports/document_claims.hpp"
 
 #include <algorithm>
+#include <regex>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -114,9 +115,10 @@ void add_assumptions(ordered_json& part, const Claim& claim, const ClaimContext&
 
 std::string published_with_unit(const Claim& claim) {
   const std::string &published = claim.published, &unit = claim.unit;
-  const bool needs_none = published.empty() || published == "-" || unit.empty() || unit == "1" ||
-                          published.find(unit) != std::string::npos;
-  if (needs_none) return published;
+  // "5200", "-1.9" or "0.1 to 0.4", but no formula and no words.
+  static const std::regex bare("[-+0-9., ]+( to [-+0-9., ]+)?");
+  if (unit.empty() || unit == "1" || !std::regex_match(published, bare) || published == "-")
+    return published;
   const bool several_degrees = unit == "degree" && published != "1";
   return published + " " + unit + (several_degrees ? "s" : "");
 }

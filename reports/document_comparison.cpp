@@ -58,7 +58,7 @@ class ComparisonDocument {
   ordered_json verdicts() const {
     ordered_json rows = ordered_json::array();
     for (const Verdict verdict : all_verdicts) {
-      ordered_json row{{"verdict", name_of(verdict)},
+      ordered_json row{{"verdict", label_of(verdict)},
                        {"class", verdict_class(verdict)},
                        {"cells", ordered_json::array()}};
       for (std::size_t run = 0; run < comparison_.runs.size(); ++run)
@@ -96,7 +96,7 @@ class ComparisonDocument {
       ordered_json cells = ordered_json::array();
       for (std::size_t run = 0; run < claim.verdicts.size(); ++run)
         cells.push_back({{"run", run_letter(run)},
-                         {"verdict", name_of(claim.verdicts[run])},
+                         {"verdict", label_of(claim.verdicts[run])},
                          {"class", verdict_class(claim.verdicts[run])},
                          {"measured", claim.measured[run]}});
       row["cells"] = cells;

@@ -15,10 +15,10 @@ constexpr const char* no_kind = "kind not told";
 std::vector<CorrectedClaims> all_kinds() {
   return {{name_of(ErratumKind::formula), "a formula"},
           {name_of(ErratumKind::number), "a number"},
-          {name_of(ErratumKind::missing_case), "a case left out"},
+          {name_of(ErratumKind::missing_case), "a missing case"},
           {name_of(ErratumKind::wording), "the wording"},
-          {name_of(ErratumKind::bookkeeping), "a label, reference or symbol"},
-          {name_of(ErratumKind::program), "not the text but its program, which does otherwise"},
+          {name_of(ErratumKind::bookkeeping), "bookkeeping (a label, reference or symbol)"},
+          {name_of(ErratumKind::program), "not the text, but it differs from the program"},
           {no_kind, "not sorted yet"}};
 }
 

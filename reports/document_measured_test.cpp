@@ -68,9 +68,50 @@ TEST(ShownMeasured, CountsManyChecks) {
 TEST(ShownMeasured, SaysWhatIsMissing) {
   JudgedCheck check = check_of("= 1 in 5 of 5", {"1", "1", "1", "1", "not measured"});
   check.terms[4].outcome = CheckOutcome::missing;
-  EXPECT_EQ(shown_measured(judgement_of({check})), "4 of 5 values");
+  check.outcome = CheckOutcome::missing;
+  Judgement judgement = judgement_of({check});
+  judgement.verdict = Verdict::not_measured;
+  EXPECT_EQ(shown_measured(judgement), "4 of 5 values");
   for (JudgedTerm& term : check.terms) term.outcome = CheckOutcome::missing;
   EXPECT_EQ(shown_measured(judgement_of({check})), "not measured");
+}
+
+TEST(ShownMeasured, DoesNotHideWhatFailsBehindWhatIsMissing) {
+  JudgedCheck check = check_of(">= 1 in 5 of 5", {"2", "not measured", "0.5", "3", "4"});
+  check.terms[1].outcome = CheckOutcome::missing;
+  check.outcome = check.terms[2].outcome = CheckOutcome::fails;
+  Judgement judgement = judgement_of({check});
+  judgement.verdict = Verdict::not_reproduced;
+  EXPECT_EQ(shown_measured(judgement),
+            "4 of 5 values, from 0.5 to 4 (wanted >= 1 in 5 of 5; 3 hold); the first that does "
+            "not: a/0.5 is 0.5");
+  JudgedCheck missing = check_of("= 1", {"not measured"});
+  missing.outcome = missing.terms[0].outcome = CheckOutcome::missing;
+  judgement.checks = {missing, missing, check, missing};
+  EXPECT_EQ(shown_measured(judgement),
+            "4 of 8 values in 4 checks, 0 as wanted; the first that does not: a/0.5 is 0.5 "
+            "(wanted >= 1 in 5 of 5)");
+}
+
+TEST(ShownMeasured, SaysOfAFailingCheckOfFewTermsWhatWasWanted) {
+  const JudgedCheck many = check_of("= 1 in 3 of 3", {"1", "1", "1"});
+  JudgedCheck pair = check_of(">= 1 in 2 of 2", {"2", "0.5"});
+  pair.outcome = pair.terms[1].outcome = CheckOutcome::fails;
+  EXPECT_EQ(shown_measured(judgement_of({many, pair})),
+            "3 values, all 1 (wanted = 1 in 3 of 3; all hold); 2, 0.5 (wanted >= 1 in 2 of 2; 1 "
+            "holds); the first that does not: a/0.5 is 0.5");
+  JudgedCheck single = check_of("<= 9", {"10 [8, 12]"});
+  single.outcome = single.terms[0].outcome = CheckOutcome::undecided;
+  EXPECT_EQ(shown_measured(judgement_of({many, check_of(">= 1", {"2"}), single})),
+            "3 values, all 1 (wanted = 1 in 3 of 3; all hold); 2; 10 [8, 12] (wanted <= 9; none "
+            "holds); the first that does not: a/10 [8, 12] is 10 [8, 12]");
+}
+
+TEST(ShownMeasured, TakesNoPairShareOrNotANumberForANumber) {
+  for (const char* other : {"15344 20046", "3 of 7", "nan", "inf", "1f"})
+    EXPECT_EQ(shown_measured(judgement_of({check_of(">= 1", {"1", "2", "3", "4", other})})),
+              "5 values (wanted >= 1; all hold)")
+        << other;
 }
 
 TEST(ShownExpression, DoesNotBeginWithAPlus) {

@@ -8,6 +8,7 @@
 #include "reports/document_anchors.hpp"
 #include "reports/document_claims.hpp"
 #include "reports/document_errata.hpp"
+#include "reports/document_errata_kinds.hpp"
 #include "reports/document_places.hpp"
 #include "reports/document_tables.hpp"
 
@@ -61,6 +62,8 @@ class PaperDocument {
     document_["topics"] = topics();
     document_["errata"] = errata_document(judged_);
     document_["has_errata"] = !document_["errata"].empty();
+    document_["errata_kinds"] = errata_kinds_document(judged_, sources_.without_varying);
+    document_["has_errata_kinds"] = !document_["errata_kinds"].empty();
     document_["assumptions"] = assumptions_document(judged_);
     document_["has_assumptions"] = !document_["assumptions"].empty();
     return document_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reports/document_places_known.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -15,14 +17,27 @@
 namespace phytobench {
 namespace {
 
-std::vector<KnownPlace> from(const std::string& text) {
-  const std::string file =
-      (std::filesystem::path(testing::TempDir()) / "phytobench-known-places.toml").string();
-  write_file_atomically(file, text);
-  return known_places_of(file);
-}
+namespace fs = std::filesystem;
 
-TEST(KnownPlaces, HaveTheirPagesAndTheirSection) {
+/// A file of its own for each test: they run beside each other.
+class KnownPlaces : public testing::Test {
+ protected:
+  void SetUp() override {
+    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+    file_ = fs::path(testing::TempDir()) / (std::string("phytobench-known-places-") + test->name() +
+                                            "-" + std::to_string(::getpid()) + ".toml");
+  }
+  void TearDown() override { fs::remove(file_); }
+
+  std::vector<KnownPlace> from(const std::string& text) const {
+    write_file_atomically(file_, text);
+    return known_places_of(file_.string());
+  }
+
+  fs::path file_;
+};
+
+TEST_F(KnownPlaces, HaveTheirPagesAndTheirSection) {
   const auto known = from("[figure]\n\"10\" = [\"7\", \"2.1\"]\n\"9\" = [\"6-7\", \"2\"]\n");
   ASSERT_EQ(known.size(), 2u);
   EXPECT_EQ(shown(known[0].place), "Figure 9") << "in the order of the work";
@@ -31,13 +46,13 @@ TEST(KnownPlaces, HaveTheirPagesAndTheirSection) {
   EXPECT_EQ(known[1].section, "2.1");
 }
 
-TEST(KnownPlaces, OfSectionsAreInTheSectionAbove) {
+TEST_F(KnownPlaces, OfSectionsAreInTheSectionAbove) {
   const auto known = from("[section]\n\"3\" = [\"6-7\"]\n\"3.1.2\" = [\"7\"]\n");
   EXPECT_EQ(known[0].section, "");
   EXPECT_EQ(known[1].section, "3.1");
 }
 
-TEST(KnownPlaces, MustHavePages) {
+TEST_F(KnownPlaces, MustHavePages) {
   for (const char* pages : {"", "x", "7-", "7-6", "0", "7-8-9", "-7", "7 "})
     EXPECT_THROW(from(std::string("[section]\n\"3\" = [\"") + pages + "\"]\n"), InputError)
         << pages;
@@ -46,7 +61,7 @@ TEST(KnownPlaces, MustHavePages) {
 }
 
 /// A locator that names a place that does not exist is a misprint of ours, or misread.
-TEST(KnownPlaces, HoldEveryPlaceThatClaimsName) {
+TEST_F(KnownPlaces, HoldEveryPlaceThatClaimsName) {
   for (const std::string& paper : paper_keys()) {
     const auto known = known_places(paper);
     ASSERT_FALSE(known.empty()) << paper;
@@ -60,7 +75,7 @@ TEST(KnownPlaces, HoldEveryPlaceThatClaimsName) {
 }
 
 /// Numbers of figures and equations have no gaps, and all stand in a section on its pages.
-TEST(KnownPlaces, AreComplete) {
+TEST_F(KnownPlaces, AreComplete) {
   for (const std::string& paper : paper_keys()) {
     const auto known = known_places(paper);
     const auto find = [&](const Place& place) {

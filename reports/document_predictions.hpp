@@ -7,7 +7,7 @@
 
 namespace phytobench {
 
-/// Verdicts derived from the texts before anything was built, against those of this run: how often
+/// Verdicts predicted from the texts, against those of this run: how often
 /// each met each, and every claim where the two differ. Claims without evidence in this run, hidden
 /// ones and those that wait for a model are counted apart: nothing was found for them.
 nlohmann::ordered_json predictions_document(const JudgedRun& judged, bool without_varying);

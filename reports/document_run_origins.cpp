@@ -2,6 +2,7 @@
 #include "reports/document_run_origins.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -36,8 +37,17 @@ bool is_of_changed_source(const ordered_json& environment) {
   return environment.value("source_changed", ordered_json(false)) == true;
 }
 
+/// Nothing where there is none, or where the program was built without Git and says "unknown".
+std::optional<std::string> recorded_commit(const ordered_json& environment) {
+  const auto found = environment.find("commit");
+  if (found == environment.end() || !found->is_string()) return std::nullopt;
+  const auto commit = found->get<std::string>();
+  if (commit.empty() || commit == "unknown") return std::nullopt;
+  return commit;
+}
+
 std::string commit_of(const ordered_json& environment) {
-  return text_at(environment, "commit") +
+  return recorded_commit(environment).value_or(unknown) +
          (is_of_changed_source(environment) ? " with changes" : "");
 }
 
@@ -123,27 +133,43 @@ class Origins {
     rows_.push_back({{"text", std::move(text)}, {"varies", varies}});
   }
 
+  /// A run that names no commit is like and unlike any other: only the others are compared.
   void warn_of_sources() {
-    const auto commits =
-        texts_of([](const auto&, const auto& origin) { return text_at(origin, "commit"); });
-    std::vector<std::string> named, changed;
+    std::set<std::string> commits;
+    std::vector<std::string> named, unnamed, changed;
     for (std::size_t run = 0; run < runs_.size(); ++run) {
-      named.push_back(run_letter(run) + ": " + commit_of(environments_[run]));
-      if (is_of_changed_source(environments_[run])) changed.push_back(run_letter(run));
+      const ordered_json& origin = environments_[run];
+      const std::string letter = run_letter(run);
+      if (is_of_changed_source(origin)) changed.push_back(letter);
+      if (const auto commit = recorded_commit(origin)) {
+        commits.insert(*commit);
+        named.push_back(letter + ": " + commit_of(origin));
+      } else {
+        unnamed.push_back(letter);
+      }
     }
-    if (!are_equal(commits))
-      warn(fmt::format("The runs come from different commits ({}): where they differ, the suite "
-                       "itself may have changed between them. All of them are judged by the claims "
-                       "of the version that wrote this report ({}, commit {}), and what one of "
-                       "those rests on may be absent from a run of another version.",
-                       fmt::join(named, ", "), build_information::version,
-                       build_information::commit),
-           true);
+    if (commits.size() > 1)
+      warn_of_commits(named);
     else if (!changed.empty())
       warn(fmt::format("Changes that no commit holds were in the source of {}: the runs may come "
-                       "from different code although they name the same commit.",
-                       fmt::join(changed, " and ")),
+                       "from different code{}.",
+                       fmt::join(changed, " and "),
+                       unnamed.empty() ? " although they name the same commit" : ""),
            true);
+    if (!unnamed.empty())
+      warn(fmt::format("No commit is recorded for {}: whether the runs come from the same code "
+                       "cannot be told.",
+                       fmt::join(unnamed, " and ")),
+           true);
+  }
+
+  void warn_of_commits(const std::vector<std::string>& named) {
+    warn(fmt::format("The runs come from different commits ({}): where they differ, the suite "
+                     "itself may have changed between them. All of them are judged by the claims "
+                     "of the version that wrote this report ({}, commit {}), and what one of "
+                     "those rests on may be absent from a run of another version.",
+                     fmt::join(named, ", "), build_information::version, build_information::commit),
+         true);
   }
 
   template <class Value>

@@ -22,7 +22,8 @@ struct RunOrigins {
 nlohmann::ordered_json run_facts(const RunOrigins& origins);
 
 /// What a reader must know before comparing, as sentences: that the runs are of different commits,
-/// changed sources, tiers, seeds or experiments. `varies` marks what a machine or a date decides.
+/// changed sources, tiers, seeds or experiments, or that some name no commit, of which nothing can
+/// be told then. `varies` marks what a machine or a date decides.
 nlohmann::ordered_json run_warnings(const RunOrigins& origins);
 
 }  // namespace phytobench

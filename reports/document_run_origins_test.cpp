@@ -14,11 +14,13 @@ namespace {
 using nlohmann::ordered_json;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
-/// Two runs of which nothing is known but their compilers.
+/// Two runs of one commit, of which nothing more is known but their compilers.
 struct TwoOrigins {
   std::vector<ComparedRun> runs{{"GCC on X", {}}, {"Clang on X", {}}};
-  std::vector<std::string> environments{R"({"compiler": "GNU 12"})", R"({"compiler": "Clang"})"};
+  std::vector<std::string> environments{R"({"compiler": "GNU 12", "commit": "abc"})",
+                                        R"({"compiler": "Clang", "commit": "abc"})"};
   bool without_varying = false;
 
   void have_commits(const std::string& first, const std::string& second, bool changed = false) {
@@ -81,11 +83,39 @@ TEST(RunWarnings, NameTheCommitsWhereTheyDiffer) {
   EXPECT_TRUE(two.warnings().empty());
 }
 
+TEST(RunWarnings, CompareNoCommitThatIsNotRecorded) {
+  for (const char* without : {"{}", R"({"commit": null})", R"({"commit": "unknown"})"}) {
+    TwoOrigins two;
+    two.environments[0] = without;
+    EXPECT_EQ(two.fact("commit")["cells"], (ordered_json{"not recorded", "abc"}));
+    ASSERT_EQ(two.warnings().size(), 1u) << without;
+    EXPECT_THAT(two.warnings()[0], HasSubstr("No commit is recorded for A: whether"));
+    two.environments[1] = without;
+    ASSERT_EQ(two.warnings().size(), 1u) << without;
+    EXPECT_THAT(two.warnings()[0], HasSubstr("No commit is recorded for A and B: whether"));
+    two.without_varying = true;
+    EXPECT_TRUE(two.warnings().empty());
+  }
+}
+
+TEST(RunWarnings, NameTheCommitsOfThoseThatHaveOne) {
+  TwoOrigins three;
+  three.runs.push_back({"Clang on Y", {}});
+  three.environments = {"{}", R"({"commit": "abc"})", R"({"commit": "def"})"};
+  ASSERT_EQ(three.warnings().size(), 2u);
+  EXPECT_THAT(three.warnings()[0], HasSubstr("different commits (B: abc, C: def):"));
+  EXPECT_THAT(three.warnings()[1], HasSubstr("recorded for A: "));
+}
+
 TEST(RunWarnings, TellOfChangesThatAnEqualCommitHides) {
   TwoOrigins two;
   two.have_commits("abc", "abc", true);
   ASSERT_EQ(two.warnings().size(), 1u);
-  EXPECT_THAT(two.warnings()[0], HasSubstr("in the source of B"));
+  EXPECT_THAT(two.warnings()[0], AllOf(HasSubstr("in the source of B"),
+                                       HasSubstr("although they name the same commit.")));
+  two.environments[0] = "{}";
+  ASSERT_EQ(two.warnings().size(), 2u);
+  EXPECT_THAT(two.warnings()[0], AllOf(HasSubstr("in the source of B"), Not(HasSubstr("same"))));
 }
 
 TEST(RunWarnings, TellOfOtherTiersAndSeeds) {

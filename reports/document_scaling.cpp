@@ -40,6 +40,8 @@ std::string state_of(const JudgedAim& aim) {
       return "aim reached";
     case JudgedAim::State::must_reached:
       return "least reached, aim missed";
+    case JudgedAim::State::must_reached_aim_open:
+      return "least reached, aim open";
     case JudgedAim::State::missed:
       return "missed";
     case JudgedAim::State::open:
@@ -151,13 +153,16 @@ class ScalingDocument {
     ordered_json by_size = grid(title, note, varies);
     for (const auto& [size, at] : scaling_.sizes)
       by_size["columns"].push_back(with_thousands(at.points));
+    bool is_empty = true;
     for (const ScaledEntry& entry : scaling_.entries) {
       ordered_json cells = ordered_json::array();
-      for (const auto& [size, ignored] : scaling_.sizes)
+      for (const auto& [size, ignored] : scaling_.sizes) {
         cells.push_back(entry.at.contains(size) ? make_cell(entry.at.at(size)) : no_cell());
+        is_empty &= cells.back() == no_cell();
+      }
       add_row(by_size, entry.name, std::move(cells));
     }
-    add(std::move(by_size));
+    if (!is_empty) add(std::move(by_size));
   }
 
   /// Where the time of the engine that goes farthest is spent.
@@ -182,7 +187,7 @@ class ScalingDocument {
                           : no_cell());
       add_row(phases, with_thousands(points) + " points", std::move(cells));
     }
-    if (phases.contains("rows")) add(std::move(phases));
+    if (!phases["rows"].empty()) add(std::move(phases));
   }
 
   ordered_json crossovers() const {
@@ -211,23 +216,22 @@ class ScalingDocument {
     const bool measured = judged.state != JudgedAim::State::not_measured;
     const bool has_interval = measured && found.rounds > 0;
     // What keeps it from an aim is of no interest before it is known to miss it.
-    const bool missed =
-        measured && judged.state != JudgedAim::State::reached && !found.is_only_range();
+    const bool missed = measured && judged.surely_misses_its_aim();
     const int digits = digits_to_tell_apart(std::array{found.value, found.low, found.high},
                                             std::array{aim.must, aim.aim}, 3);
     const auto shown_with = [&](double value) { return shown(value, digits); };
-    return {
-        {"text", aim.text},
-        {"must", fmt::format("{} {:g}", aim.more_is_better() ? "at least" : "at most", aim.must)},
-        {"aim", fmt::format("{:g}", aim.aim)},
-        {"measured", measured ? shown_with(found.value) : "-"},
-        {"interval",
-         has_interval ? shown_ends(found, shown_with(found.low), shown_with(found.high)) : ""},
-        {"has_interval", has_interval},
-        {"state", state_of(judged)},
-        {"varies", judged.varies},
-        {"limits", missed ? aim.limits : ""},
-        {"has_limits", missed && !aim.limits.empty()}};
+    const auto shown_bound = [&](double v) { return shown(v, std::max(digits, shown_digits)); };
+    return {{"text", aim.text},
+            {"must", (aim.more_is_better() ? "at least " : "at most ") + shown_bound(aim.must)},
+            {"aim", shown_bound(aim.aim)},
+            {"measured", measured ? shown_with(found.value) : "-"},
+            {"interval",
+             has_interval ? shown_ends(found, shown_with(found.low), shown_with(found.high)) : ""},
+            {"has_interval", has_interval},
+            {"state", state_of(judged)},
+            {"varies", judged.varies},
+            {"limits", missed ? aim.limits : ""},
+            {"has_limits", missed && !aim.limits.empty()}};
   }
 
   static ordered_json grid(const std::string& title, const std::string& note, bool varies) {

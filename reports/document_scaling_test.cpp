@@ -73,6 +73,22 @@ TEST(ScalingDocument, SaysWhatLimitsOnlyWhereAnAimIsMissed) {
   EXPECT_EQ(aims[1]["limits"], "");
 }
 
+TEST(ScalingDocument, SaysNotWhatLimitsAnAimThatMayBeReached) {
+  JudgedScaling scaling = made_up();
+  scaling.aims[0].state = JudgedAim::State::must_reached_aim_open;
+  scaling.aims[0].measured = {{2.9, 2.5, 3.5}, 9};
+  scaling.aims[1].state = JudgedAim::State::open;
+  scaling.aims[1].measured = {{2.2, 1.8, 3.5}, 9};
+  scaling.aims[2].measured = {{2.2, 1.8, 2.5}, 9};
+  const ordered_json aims = scaling_document(scaling, {}, false)["aims"];
+  EXPECT_EQ(aims[0]["state"], "least reached, aim open");
+  EXPECT_EQ(aims[0]["has_limits"], false);
+  EXPECT_EQ(aims[1]["state"], "open: the interval holds the bound");
+  EXPECT_EQ(aims[1]["has_limits"], false);
+  EXPECT_EQ(aims[2]["state"], "open: the interval holds the bound");
+  EXPECT_EQ(aims[2]["limits"], "Memory is slow.") << "it misses its aim, if not its least";
+}
+
 TEST(ScalingDocument, LeavesAimsAndCrossoversOfFewRoundsOpenAndShowsTheirRange) {
   JudgedScaling scaling = made_up();
   scaling.aims[0].state = JudgedAim::State::open;
@@ -98,6 +114,16 @@ TEST(ScalingDocument, ShowsAnAimThatIsJustMissedAsSuch) {
   const ordered_json aim = scaling_document(scaling, {}, false)["aims"][2];
   EXPECT_EQ(aim["measured"], "1.9999999");
   EXPECT_EQ(aim["has_interval"], false) << "it was counted";
+}
+
+TEST(ScalingDocument, ShowsBoundsWithTheDigitsOfWhatWasMeasured) {
+  JudgedScaling scaling = made_up();
+  scaling.aims[2].aim.must = 1.234444;
+  scaling.aims[2].measured = {{1.2344448, 1.2344448, 1.2344448}};
+  const ordered_json aim = scaling_document(scaling, {}, false)["aims"][2];
+  EXPECT_EQ(aim["measured"], "1.234445") << "1.234 would look like less than the bound";
+  EXPECT_EQ(aim["must"], "at least 1.234444");
+  EXPECT_EQ(aim["aim"], "3");
 }
 
 TEST(ScalingDocument, NamesCrossoversInRoundNumbers) {

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "reports/document_summary.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "reports/document_claims.hpp"
+#include "reports/document_costs.hpp"
 #include "reports/document_errata_kinds.hpp"
 #include "reports/document_numbers.hpp"
 #include "reports/document_predictions.hpp"
+#include "reports/judge/for_each_judgement.hpp"
 #include "reports/verdict_counts.hpp"
 
 namespace phytobench {
@@ -15,12 +19,6 @@ namespace phytobench {
 namespace {
 
 using nlohmann::ordered_json;
-
-template <class Use>
-void for_each_judgement(const JudgedRun& judged, const Use& use) {
-  for (const JudgedPaper& paper : judged.papers)
-    for (const Judgement& judgement : paper.judgements) use(paper, judgement);
-}
 
 void count(ClaimCounts& counts, const Judgement& judgement, bool without_varying) {
   ++counts.claims;
@@ -59,11 +57,17 @@ std::string works_of(const JudgedRun& judged) {
   return works;
 }
 
+/// What was timed for its own sake; every experiment's cost is timed, too.
+std::size_t timings_of_models(const RunContents& run) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      run.timings, [](const TimingSample& sample) { return !is_cost(sample); }));
+}
+
 std::string run_text(const RunContents& run, bool timed) {
   return fmt::format(
       "{} at tier {} with seed {}: {}{}", counted(run.complete_experiments.size(), "experiment"),
       name_of(run.header.tier), run.header.seed, counted(run.records.size(), "measurement"),
-      timed ? fmt::format(" and {}", counted(run.timings.size(), "timing")) : "");
+      timed ? fmt::format(" and {}", counted(timings_of_models(run), "timing")) : "");
 }
 
 std::string runs_text(const RunComparison& comparison) {
@@ -93,18 +97,18 @@ std::string found_text(const ClaimCounts& counts) {
 
 /// What the works have wrong, and by what kind of mistake.
 std::string wrong_text(const ClaimCounts& counts, const std::vector<CorrectedClaims>& kinds) {
-  std::string text = fmt::format("{} wrong as printed and {} corrected",
-                                 counted(counts.with_erratum, "claim is", "claims are"),
-                                 counts.with_erratum == 1 ? "holds" : "hold");
+  std::string text = fmt::format("{} only once corrected",
+                                 counted(counts.with_erratum, "claim holds", "claims hold"));
   std::string reasons;
   for (const CorrectedClaims& kind : kinds)
     reasons += fmt::format("{}{} ({})", reasons.empty() ? "" : "; ", kind.words, kind.count);
   if (!reasons.empty()) text += fmt::format(". What is wrong: {}", reasons);
-  return text + fmt::format(
-                    ". {} not reproduced: what was measured contradicts {}, and we know no "
-                    "correction.",
-                    counted(counts.refuted, "claim is", "claims are"),
-                    counts.refuted == 1 ? "it" : "them");
+  return text +
+         fmt::format(
+             ". {} not reproduced: what was measured contradicts {}. If something that the work "
+             "does not state would make one hold, its reason says what.",
+             counted(counts.refuted, "claim is", "claims are"),
+             counts.refuted == 1 ? "it" : "them");
 }
 
 std::string open_text(const ClaimCounts& counts) {
@@ -140,8 +144,9 @@ std::string predicted_text(const ordered_json& predictions, const ClaimCounts& c
   std::string text = "No verdict was predicted before building.";
   if (predictions["predicted"] != 0)
     text = fmt::format(
-        "Verdicts were derived from the texts before anything was built. Of those that this run "
-        "decided, {} as predicted and {} otherwise; {} a verdict that the text alone fixes.",
+        "Verdicts were predicted from notes on the texts that are older than this suite. Of those "
+        "that this run decided, {} as predicted and {} otherwise; {} a verdict that the text alone "
+        "fixes.",
         counted(same, "was found", "were found"), differ,
         counted(predictions["fixed"].get<std::size_t>(), "more has", "more have"));
   return text + fmt::format(" {} unexpectedly from what this version of the suite gives elsewhere.",
@@ -164,7 +169,7 @@ ordered_json summary_document(const JudgedRun& judged, const RunComparison* comp
                               bool without_varying) {
   const ClaimCounts counts = counts_of(judged, without_varying);
   const ordered_json predictions = predictions_document(judged, without_varying);
-  const bool timed = !without_varying && !judged.run.timings.empty();
+  const bool timed = !without_varying && timings_of_models(judged.run) > 0;
   const bool varies = counts.vary && !without_varying;
   ordered_json lines = ordered_json::array();
   const auto add = [&](const char* term, const std::string& text, bool line_varies) {
@@ -175,7 +180,7 @@ ordered_json summary_document(const JudgedRun& judged, const RunComparison* comp
                   counted(counts.claims, "claim"), works_of(judged)),
       false);
   add("Run",
-      fmt::format("{}. {} of the claims had a measurement.",
+      fmt::format("{}. {} of the claims had a measurement, a few of them only in part.",
                   comparison ? runs_text(*comparison) : run_text(judged.run, timed),
                   counts.measured),
       timed);

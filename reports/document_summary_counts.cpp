@@ -6,10 +6,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "reports/claim_bases.hpp"
 #include "reports/document_anchors.hpp"
 #include "reports/document_claims.hpp"
 #include "reports/document_errata_kinds.hpp"
 #include "reports/document_summary.hpp"
+#include "reports/judge/for_each_judgement.hpp"
 #include "reports/verdict_counts.hpp"
 
 namespace phytobench {
@@ -17,14 +19,6 @@ namespace phytobench {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr const char* bases[] = {"paper", "author-published", "assumed", "fitted"};
-
-template <class Use>
-void for_each_judgement(const JudgedRun& judged, const Use& use) {
-  for (const JudgedPaper& paper : judged.papers)
-    for (const Judgement& judgement : paper.judgements) use(paper, judgement);
-}
 
 /// One row of the counts; `belongs` says which judgements it counts.
 template <class Belongs>
@@ -42,7 +36,7 @@ ordered_json counts_row(const JudgedRun& judged, const ShownVerdict& verdict,
       {"verdict", verdict.label}, {"class", verdict.look}, {"row", verdict.row}, {"total", total}};
   row["any"] = total > 0;
   row["by_basis"] = row["by_paper"] = row["kinds"] = ordered_json::array();
-  for (const char* basis : bases) row["by_basis"].push_back({{"count", by_basis[basis]}});
+  for (const char* basis : claim_bases) row["by_basis"].push_back({{"count", by_basis[basis]}});
   for (const JudgedPaper& paper : judged.papers)
     row["by_paper"].push_back({{"count", by_paper[paper.paper.key]}});
   return row;
@@ -82,7 +76,7 @@ ordered_json counts_document(const JudgedRun& judged, bool without_varying) {
   });
   for (const JudgedPaper& paper : judged.papers)
     works.push_back(fmt::format("{} {}", paper.paper.author, paper.paper.year));
-  return {{"bases", ordered_json(bases)}, {"kinds", kinds}, {"works", works}, {"rows", rows}};
+  return {{"bases", ordered_json(claim_bases)}, {"kinds", kinds}, {"works", works}, {"rows", rows}};
 }
 
 }  // namespace phytobench

@@ -77,8 +77,9 @@ TEST(Summary, SaysALineEachWhatWasAskedFoundWrongAndOpen) {
   EXPECT_THAT(line_of(lines, "Found"), HasSubstr("1 more holds only with a parameter"));
   EXPECT_EQ(
       line_of(lines, "Wrong in the works"),
-      "1 claim is wrong as printed and holds corrected. What is wrong: a number (1). 1 "
-      "claim is not reproduced: what was measured contradicts it, and we know no correction.");
+      "1 claim holds only once corrected. What is wrong: a number (1). 1 claim is not reproduced: "
+      "what was measured contradicts it. If something that the work does not state would make one "
+      "hold, its reason says what.");
   EXPECT_THAT(line_of(lines, "Open"), HasSubstr("3 claims: 1 waits for a model"));
   EXPECT_THAT(line_of(lines, "Cannot be told"), HasSubstr("0 claims: 0 state seconds"));
 }

@@ -141,7 +141,7 @@ class Letter {
                   is_of_program(erratum) ? "in the program" : "corrected");
     add_point("What follows", as_sentence(erratum.consequence));
     if (const std::string verdicts = verdicts_of(erratum); !verdicts.empty())
-      add_point("Statements of the work that it concerns", verdicts);
+      add_point("Claims that it concerns", verdicts);
     if (!erratum.check.empty()) add_point("To check it", as_sentence(erratum.check));
     if (erratum.kind) add_point("Kind", name_of(*erratum.kind));
     add_point("Confidence", confidence_of(erratum));

@@ -41,15 +41,15 @@ std::string without_remarks(std::string text) {
   return text;
 }
 
-/// "9.448 [9.17, 9.692]" -> "9.448 (9.17 to 9.692)", "0.891892" -> "0.8919".
+/// "9.448 [9.17, 9.692]" -> "9.448 (9.17 to 9.692)". Numbers keep the digits that the judge gave
+/// them: with fewer, one that misses its bound might look equal to it.
 std::string measured_words(const std::string& measured) {
   double value = 0.0;
   const char* const end = measured.data() + measured.size();
   const auto [rest, error] = std::from_chars(measured.data(), end, value);
   constexpr double smallest_told = 1e-9;
-  if (error == std::errc() && rest == end)
-    return value != 0.0 && std::abs(value) < smallest_told ? "practically 0"
-                                                           : fmt::format("{:.4g}", value);
+  if (error == std::errc() && rest == end && value != 0.0 && std::abs(value) < smallest_told)
+    return fmt::format("practically 0 ({})", measured);
   std::string text = measured;
   if (!text.ends_with(']')) return text;
   replace_all(text, "[", "(");

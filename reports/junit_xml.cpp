@@ -117,7 +117,18 @@ struct Totals {
   }
 };
 
-std::string suite_of(const JudgedPaper& paper, bool without_varying, Totals& all) {
+/// The runs by the letters by which reasons and measured values call them.
+std::string properties_of(const RunComparison& comparison) {
+  std::string xml = "    <properties>\n";
+  for (std::size_t run = 0; run < comparison.runs.size(); ++run)
+    xml += fmt::format("      <property name=\"run {}\" value=\"{}\"/>\n", run_letter(run),
+                       escaped(comparison.runs[run].label));
+  return xml + "    </properties>\n";
+}
+
+/// `properties` stand before the cases.
+std::string suite_of(const JudgedPaper& paper, const std::string& properties, bool without_varying,
+                     Totals& all) {
   Totals totals;
   std::string cases;
   for (const Judgement& judgement : paper.judgements) {
@@ -127,16 +138,19 @@ std::string suite_of(const JudgedPaper& paper, bool without_varying, Totals& all
     cases += case_of(judgement, hidden);
   }
   all += totals;
-  return fmt::format("  <testsuite name=\"{}\" {}>\n{}  </testsuite>\n", escaped(paper.paper.key),
-                     totals.attributes(), cases);
+  return fmt::format("  <testsuite name=\"{}\" {}>\n{}{}  </testsuite>\n", escaped(paper.paper.key),
+                     totals.attributes(), properties, cases);
 }
 
 }  // namespace
 
-std::string junit_xml(const JudgedRun& judged, bool without_varying) {
+std::string junit_xml(const JudgedRun& judged, bool without_varying,
+                      const RunComparison* comparison) {
+  const std::string properties = comparison ? properties_of(*comparison) : "";
   Totals totals;
   std::string suites;
-  for (const JudgedPaper& paper : judged.papers) suites += suite_of(paper, without_varying, totals);
+  for (const JudgedPaper& paper : judged.papers)
+    suites += suite_of(paper, properties, without_varying, totals);
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"phytobench\" {}>\n{}"
       "</testsuites>\n",

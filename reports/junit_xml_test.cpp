@@ -151,6 +151,20 @@ TEST(JunitXml, KeepsLinesOfAMessageApart) {
             "inconclusive: two\nlines & \"more\"");
 }
 
+TEST(JunitXml, NamesTheRunsByTheirLettersInEachSuite) {
+  const EveryVerdict run;
+  RunComparison comparison;
+  comparison.runs = {{"GCC 12 on <X>", {}}, {"Clang on X", {}}};
+  const Document document = parsed(junit_xml(run.judged, false, &comparison));
+  ASSERT_NE(document, nullptr);
+  EXPECT_EQ(
+      properties_of(suite_of(document)),
+      (std::map<std::string, std::string>{{"run A", "GCC 12 on <X>"}, {"run B", "Clang on X"}}));
+  const Document alone = parsed(junit_xml(run.judged, false));
+  ASSERT_NE(alone, nullptr);
+  EXPECT_TRUE(children(suite_of(alone), "properties").empty());
+}
+
 TEST(JunitXml, SkipsWhatRestsOnTimesOnRequest) {
   EveryVerdict run;
   run.judged.papers[0].judgements[2].varies = true;

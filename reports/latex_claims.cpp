@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "reports/document_claims.hpp"
+#include "reports/document_intervals.hpp"
 #include "reports/document_measured.hpp"
 #include "reports/latex_files.hpp"
 #include "reports/latex_tables.hpp"
@@ -136,7 +137,8 @@ std::string latex_wrapper(const JudgedRun& judged, bool without_varying) {
       latex += captioned(latex_table_name(*table.table), caption);
       if (!latex_share_table(table, without_varying).empty())
         latex += captioned(latex_table_name(*table.table) + "-shares",
-                           caption + " Shares of the largest cell, with 95 \\% intervals.");
+                           caption + " Shares of the largest cell; below each its " +
+                               latex_text(ends_of_medians) + ".");
     }
     latex += fmt::format("{{\\footnotesize\\input{{claims-{}}}}}\n", paper.paper.key);
   }

@@ -165,6 +165,12 @@ TEST(LatexFiles, HoldOneTableEachAndADocumentThatNamesThemAll) {
   EXPECT_EQ(named, files.size() - 1);
 }
 
+TEST(LatexFiles, CallSharesOfFewRoundsARange) {
+  EXPECT_THAT(latex_files(SmallRun(true).judged, false).at("tables/all.tex"),
+              HasSubstr("Shares of the largest cell; below each its 95 \\% interval, or range of "
+                        "fewer than six rounds.}"));
+}
+
 void expect_sound(const JudgedRun& judged) {
   for (const auto& [name, latex] : latex_files(judged, false)) {
     EXPECT_THAT(LatexChecker::problems_of(latex), IsEmpty()) << name;

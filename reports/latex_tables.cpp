@@ -2,12 +2,13 @@
 #include "reports/latex_tables.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include <fmt/format.h>
 
+#include "reports/claim_bases.hpp"
 #include "reports/document_errata_kinds.hpp"
+#include "reports/judge/for_each_judgement.hpp"
 #include "reports/latex_text.hpp"
 #include "reports/verdict_counts.hpp"
 
@@ -145,23 +146,22 @@ std::string latex_share_table(const JudgedTable& judged, bool without_varying) {
 }
 
 std::string latex_counts(const JudgedRun& judged, bool without_varying) {
-  constexpr std::array bases = {"paper", "author-published", "assumed", "fitted"};
   std::map<std::string, std::map<std::string, std::size_t>> counts;
-  for (const JudgedPaper& paper : judged.papers)
-    for (const Judgement& judgement : paper.judgements) {
-      if (without_varying && judgement.varies) continue;
-      ++counts[std::string(row_of(judgement).name)][judgement.claim->basis];
-      if (const auto kind = kind_of_correction(paper, judgement, without_varying))
-        ++counts[part_label(*kind)][judgement.claim->basis];
-    }
+  for_each_judgement(judged, [&](const JudgedPaper& paper, const Judgement& judgement) {
+    if (without_varying && judgement.varies) return;
+    const std::string& basis = judgement.claim->basis;
+    ++counts[std::string(row_of(judgement).name)][basis];
+    if (const auto kind = kind_of_correction(paper, judgement, without_varying))
+      ++counts[part_label(*kind)][basis];
+  });
   Grid grid{{}, {"all"}, {""}, {}};
-  grid.headings.insert(grid.headings.end(), bases.begin(), bases.end());
+  grid.headings.insert(grid.headings.end(), claim_bases.begin(), claim_bases.end());
   grid.columns.resize(grid.headings.size());
   const auto add_row = [&](const std::string& label) {
     grid.row_labels.push_back(label);
     std::size_t all = 0;
-    for (std::size_t b = 0; b < bases.size(); ++b) {
-      const std::size_t count = counts[label][bases[b]];
+    for (std::size_t b = 0; b < claim_bases.size(); ++b) {
+      const std::size_t count = counts[label][claim_bases[b]];
       grid.columns[b + 1].push_back(std::to_string(count));
       all += count;
     }

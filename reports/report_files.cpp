@@ -48,7 +48,7 @@ class FilesBuilder {
     if (options_.formats.latex) files_.merge(latex_files(input_.judged, options_.without_varying));
     if (options_.formats.csv) add_csv();
     if (options_.formats.junit)
-      files_["junit.xml"] = junit_xml(input_.judged, options_.without_varying);
+      files_["junit.xml"] = junit_xml(input_.judged, options_.without_varying, comparison());
     files_["verdicts.json"] = verdicts_json(input_.judged, comparison(), options_.without_varying);
     return std::move(files_);
   }

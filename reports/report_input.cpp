@@ -14,11 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether it is the large version of a picture that is there in a size for pages, too.
-bool is_full_size(const fs::path& file) {
-  return file.stem().extension() == ".full";
-}
-
 /// A run's folder and its sealed artifacts.
 struct RunArtifacts {
   const fs::path& run_folder;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/document_errata_kinds.hpp"
 #include "reports/verdict_counts.hpp"
 
 namespace phytobench {
@@ -20,11 +21,16 @@ ReportSummary report_summary(const JudgedRun& judged) {
       if (!judgement.is_unexpected()) continue;
       ++summary.unexpected;
       unexpected += fmt::format("unexpected: {} is '{}', expected '{}' ({})\n", judgement.claim->id,
-                                name_of(judgement.verdict),
-                                name_of(judgement.claim->expected_verdict), judgement.measured);
+                                label_of(judgement.verdict),
+                                label_of(judgement.claim->expected_verdict), judgement.measured);
     }
   for (const VerdictRow& row : verdict_rows())
-    if (counts[row.name] > 0) summary.text += fmt::format("{:4}  {}\n", counts[row.name], row.name);
+    if (counts[row.name] > 0) {
+      summary.text += fmt::format("{:4}  {}\n", counts[row.name], row.name);
+      if (row.verdict != Verdict::reproduced_with_erratum) continue;
+      for (const CorrectedClaims& kind : corrected_by_kind(judged.papers, false))
+        summary.text += fmt::format("      {:4}  {}\n", kind.count, kind.kind);
+    }
   summary.text += unexpected;
   if (const auto& experiment = judged.run.unfinished)
     summary.text +=

@@ -20,5 +20,16 @@ TEST(ReportSummary, NamesTheExperimentWhoseRecordsBreakOff) {
   EXPECT_EQ(report_summary(judged).unexpected, 0u);
 }
 
+TEST(ReportSummary, CallsAnErratumWrongAsPrintedAndTellsItsKind) {
+  Claim claim;
+  claim.erratum = "E1";
+  JudgedRun judged;
+  judged.papers.resize(1);
+  judged.papers[0].errata = {{.id = "E1", .kind = ErratumKind::number}};
+  judged.papers[0].judgements = {{.claim = &claim, .verdict = Verdict::reproduced_with_erratum}};
+  EXPECT_THAT(report_summary(judged).text,
+              HasSubstr("   1  wrong as printed, holds corrected\n         1  number\n"));
+}
+
 }  // namespace
 }  // namespace phytobench

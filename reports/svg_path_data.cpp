@@ -11,10 +11,6 @@ namespace phytobench {
 
 namespace {
 
-bool is_space(char c) {
-  return std::isspace(static_cast<unsigned char>(c)) != 0;
-}
-
 bool is_letter(char c) {
   return std::isalpha(static_cast<unsigned char>(c)) != 0;
 }
@@ -98,7 +94,10 @@ bool read_tenths(const std::string& data, std::size_t& at, long& tenths) {
 
 }  // namespace
 
-/// A path's data without the space that nothing needs: before and after letters, and at its ends.
+bool is_space(char c) {
+  return std::isspace(static_cast<unsigned char>(c)) != 0;
+}
+
 std::string spaceless_path_data(std::string_view data) {
   std::string text;
   for (std::size_t i = 0; i < data.size(); ++i) {
@@ -121,7 +120,7 @@ bool is_in_tenths(std::string_view data) {
     const bool digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
     decimals = in_decimals && digit ? decimals + 1 : 0;
     in_decimals = c == '.' || (in_decimals && digit);
-    if (decimals > 1) return false;
+    if (decimals > 1 || c == 'e' || c == 'E') return false;
   }
   return true;
 }

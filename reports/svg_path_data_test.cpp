@@ -43,5 +43,11 @@ TEST(IsInTenths, CountsDecimals) {
   EXPECT_FALSE(is_in_tenths("M1.5 0.25"));
 }
 
+TEST(IsInTenths, TakesNoExponent) {
+  EXPECT_FALSE(is_in_tenths("M1e-05 2"));
+  EXPECT_FALSE(is_in_tenths("M1.5E-3 2"));
+  EXPECT_EQ(stepwise_path_data("M1e-05 2L3 4"), "M0 2l3 2") << "rounded like any other";
+}
+
 }  // namespace
 }  // namespace phytobench

@@ -13,10 +13,6 @@ namespace phytobench {
 
 namespace {
 
-bool is_space(char c) {
-  return std::isspace(static_cast<unsigned char>(c)) != 0;
-}
-
 /// A quoted value may hold the end of a tag.
 std::size_t end_of_tag(const std::string& svg, std::size_t at) {
   char quote = 0;

@@ -11,6 +11,7 @@
 
 #include "benchmarks/nearest_node/growth_trace.hpp"
 #include "benchmarks/nearest_node/remembering_judge.hpp"
+#include "core/contract/check.hpp"
 #include "core/contract/errors.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 #include "core/random/counter_stream.hpp"
@@ -90,9 +91,40 @@ class Predictor {
   std::map<double, std::unique_ptr<Pilot>> pilots_;
 };
 
+/// Says how long another judge takes: time that is no engine's.
+class TimedJudge final : public GrowthJudge {
+ public:
+  explicit TimedJudge(GrowthJudge& judge) : judge_(judge) {}
+
+  double seconds() const { return seconds_; }
+
+  void restart() override {
+    seconds_ += seconds_of([&] { judge_.restart(); });
+  }
+  std::span<const int> associate(std::span<const SearchableNode> new_nodes) override {
+    std::span<const int> answer;
+    seconds_ += seconds_of([&] { answer = judge_.associate(new_nodes); });
+    return answer;
+  }
+  std::vector<int> remove(std::span<const SearchableNode> killers, double distance,
+                          bool& expected) override {
+    std::vector<int> answer;
+    seconds_ += seconds_of([&] { answer = judge_.remove(killers, distance, expected); });
+    return answer;
+  }
+  std::string tree_hash() const override { return judge_.tree_hash(); }
+  std::string name() const override { return judge_.name(); }
+
+ private:
+  GrowthJudge& judge_;
+  double seconds_ = 0.0;
+};
+
 /// What was checked in less than this is grown once more, untimed, before each growth that is
 /// timed.
 constexpr double worth_a_warm_up_s = 0.25;
+
+constexpr int most_rounds = 25;
 
 class Race {
  public:
@@ -102,6 +134,7 @@ class Race {
         points_(static_cast<double>(seedling_.attraction_points.size())) {}
 
   RaceResult run() {
+    PHYTOBENCH_EXPECT(request_.least_rounds >= 1 && request_.least_rounds <= most_rounds);
     list_entries();
     predict();
     make_judge();
@@ -165,10 +198,12 @@ class Race {
     for (RaceEntry& entry : result_.entries) {
       if (entry.state != State::inexact) continue;
       CheckedGrowth checked;
-      check_seconds_[&entry] = seconds_of([&] {
-        checked = grow_checked(*entry.engine, seedling_, *judge_,
+      TimedJudge judge(*judge_);
+      const double seconds = seconds_of([&] {
+        checked = grow_checked(*entry.engine, seedling_, judge,
                                observed(run_of(entry), "checking " + entry.name()));
       });
+      check_seconds_[&entry] = seconds - judge.seconds();
       entry.disagreement = checked.disagreement;
       if (!checked.verified) continue;
       if (!accept_tree(*checked.verified, entry)) continue;
@@ -221,7 +256,7 @@ class Race {
       const double seconds = seconds_of([&] { time_round(round, rounds, timed); });
       if (rounds == 0)
         rounds = std::clamp(static_cast<int>(request_.timing_s / std::max(seconds, 1e-9)),
-                            request_.least_rounds, 25);
+                            request_.least_rounds, most_rounds);
     }
   }
 

@@ -34,6 +34,10 @@ struct RunContents {
   std::optional<std::string> unfinished;
 };
 
+/// Whether it is the large version of a picture that is there in a size for pages, too
+/// ("tree.full.jpg" of "tree.jpg"). It may be left out of a copy of a run; no report needs it.
+bool is_full_size(const std::filesystem::path& artifact);
+
 /// Reads a run's folder, also while the run goes on. Throws InputError with file and line for
 /// anything that is not a run of this suite, or not as it was written: a foreign schema, lines that
 /// were changed, lost, repeated or moved, files of different runs, another environment.json,

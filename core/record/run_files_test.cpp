@@ -254,6 +254,23 @@ TEST_F(RunFiles, ChangedOrLostArtifactIsAnInputError) {
   EXPECT_THAT(complaint(), StartsWith(artifact.string() + ": is lost since 'p/two' wrote it"));
 }
 
+TEST_F(RunFiles, FullSizePicturesMayBeLeftOutButNotChanged) {
+  {
+    RunWriter writer = start();
+    writer.write_artifact("p/one", "tree.jpg", "small");
+    writer.write_artifact("p/one", "tree.full.jpg", "large");
+    append_to(writer, "p/one");
+  }
+  const fs::path folder = folder_ / "artifacts" / "p" / "one";
+  overwrite(folder / "tree.full.jpg", "other");
+  EXPECT_THAT(complaint(), StartsWith((folder / "tree.full.jpg").string() + ": was changed"));
+  fs::remove(folder / "tree.full.jpg");
+  EXPECT_EQ(complaint(), "no error");
+  EXPECT_EQ(read_run(folder_).artifacts, std::set<std::string>{"p/one/tree.jpg"});
+  fs::remove(folder / "tree.jpg");
+  EXPECT_THAT(complaint(), StartsWith((folder / "tree.jpg").string() + ": is lost"));
+}
+
 TEST_F(RunFiles, CanBeReadWhileTheyAreWritten) {
   RunWriter writer = start();
   EXPECT_TRUE(read_run(folder_).complete_experiments.empty());

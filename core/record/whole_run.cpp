@@ -138,6 +138,7 @@ void refuse_other_artifacts(const fs::path& folder, const TimingsFile& timings) 
       const fs::path file = folder / artifacts_name / experiment.name / name;
       std::error_code ignored;
       const bool exists = fs::exists(file, ignored);
+      if (!exists && is_full_size(name)) continue;
       if (exists && sha256_hex(read_text_file(file, most_bytes)) == digest) continue;
       throw InputError(file.string() + (exists ? ": was changed" : ": is lost") + " since '" +
                        experiment.name + "' wrote it" + what_to_do);
@@ -145,15 +146,20 @@ void refuse_other_artifacts(const fs::path& folder, const TimingsFile& timings) 
 }
 
 /// By their path below artifacts/.
-std::set<std::string> artifacts_of(const TimingsFile& timings) {
+std::set<std::string> artifacts_of(const fs::path& folder, const TimingsFile& timings) {
   std::set<std::string> artifacts;
   for (const TimingsFile::Experiment& experiment : timings.experiments)
     for (const auto& [name, digest] : experiment.artifacts)
-      artifacts.insert(experiment.name + "/" + name);
+      if (fs::exists(folder / artifacts_name / experiment.name / name))
+        artifacts.insert(experiment.name + "/" + name);
   return artifacts;
 }
 
 }  // namespace
+
+bool is_full_size(const fs::path& artifact) {
+  return artifact.stem().extension() == ".full";
+}
 
 WholeRun read_whole_run(const fs::path& folder) {
   refuse_what_is_no_run(folder);
@@ -170,7 +176,7 @@ WholeRun read_whole_run(const fs::path& folder) {
                             .records = std::move(records.records),
                             .timings = std::move(timings.timings),
                             .complete_experiments = {},
-                            .artifacts = artifacts_of(timings),
+                            .artifacts = artifacts_of(folder, timings),
                             .unfinished = std::move(unfinished)},
                .last_of_records = records.last,
                .last_of_timings = timings.last};

@@ -27,14 +27,4 @@ Estimate median_estimate(std::span<const double> samples, const BootstrapSetting
   return {median(samples), quantile(medians, tail), quantile(medians, 1.0 - tail)};
 }
 
-Estimate paired_ratio_estimate(std::span<const double> numerator,
-                               std::span<const double> denominator,
-                               const BootstrapSettings& settings) {
-  PHYTOBENCH_EXPECT(numerator.size() == denominator.size());
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < numerator.size(); ++i)
-    ratios.push_back(numerator[i] / denominator[i]);
-  return median_estimate(ratios, settings);
-}
-
 }  // namespace phytobench

@@ -19,11 +19,4 @@ struct BootstrapSettings {
 /// (of three 75 times in 100): for times in rounds see median_of_rounds().
 Estimate median_estimate(std::span<const double> samples, const BootstrapSettings& settings = {});
 
-/// Median of the ratios numerator[i] / denominator[i] of paired samples (same round of an
-/// interleaved run), with a percentile bootstrap over the pairs. Pairing removes what both shared:
-/// the machine's mood.
-Estimate paired_ratio_estimate(std::span<const double> numerator,
-                               std::span<const double> denominator,
-                               const BootstrapSettings& settings = {});
-
 }  // namespace phytobench

@@ -120,23 +120,6 @@ TEST(MedianEstimate, RefusesWhatCannotBeEstimated) {
   EXPECT_THROW(median_estimate(samples, {.confidence = 1.0}), ContractViolation);
 }
 
-TEST(PairedRatioEstimate, OfAMultipleIsExactlyThatMultiple) {
-  std::vector<double> denominator = uniform_samples(5, 0, 12);
-  for (double& value : denominator) value += 1.0;
-  // Powers of two, so that product and quotient are exact.
-  for (const double factor : {4.0, 0.5}) {
-    const Estimate estimate = paired_ratio_estimate(times(factor, denominator), denominator, quick);
-    EXPECT_EQ(estimate.value, factor);
-    EXPECT_EQ(width(estimate), 0.0);
-  }
-}
-
-TEST(PairedRatioEstimate, RefusesUnpairedSamples) {
-  const std::vector<double> three{1, 2, 3}, two{1, 2};
-  EXPECT_THROW(paired_ratio_estimate(three, two, quick), ContractViolation);
-  EXPECT_THROW(paired_ratio_estimate({}, {}, quick), ContractViolation);
-}
-
 TEST(MedianEstimateLaw, ScalesWithTheSamples) {
   const std::vector<double> samples = uniform_samples(6, 0, 15);
   const Estimate estimate = median_estimate(samples, quick);

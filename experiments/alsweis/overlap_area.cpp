@@ -108,7 +108,8 @@ void record_errors(ExperimentContext& context) {
                  }
                });
   }
-  const double worst = *std::ranges::max_element(errors);
+  double worst = 0.0;
+  for (const double error : errors) keep_larger(worst, error);
   const auto textbook_off =
       std::ranges::count_if(textbook_errors, [](double error) { return !(error <= 1e-6); });
   context.record({.experiment = {},
@@ -171,7 +172,7 @@ void record_sum_rule(ExperimentContext& context) {
       sum += lens_area(r, s, d) * 2 * std::numbers::pi * d * step;
     }
     const double product = std::numbers::pi * r * r * std::numbers::pi * s * s;
-    worst = std::max(worst, std::abs(sum / product - 1));
+    keep_larger(worst, std::abs(sum / product - 1));
   }
   context.record("sum_rule/largest_error", worst);
 }

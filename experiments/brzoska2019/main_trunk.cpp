@@ -41,7 +41,7 @@ TrunkShares trunk_shares(const Skeleton& tree, std::int32_t crown_root,
 /// Means over the heights, returned; half the height is recorded beside them.
 ByTree record_shares(ExperimentContext& context, const std::string& name,
                      const std::function<TrunkShares(std::size_t)>& shares_of_tree,
-                     std::size_t trees = trees_per_trend) {
+                     std::size_t trees = trees_per_trend, const SeedOfTree& seed_of_tree = {}) {
   ByTree at_half;
   const ByTree means = record_trees(
       context, name + "/mean-trunk-share", "1",
@@ -50,10 +50,10 @@ ByTree record_shares(ExperimentContext& context, const std::string& name,
         at_half.push_back(shares.half_height);
         return shares.mean;
       },
-      trees);
+      trees, seed_of_tree);
   record_trees(
       context, name + "/trunk-share-at-half-height", "1",
-      [&](std::size_t number) { return at_half[number]; }, trees);
+      [&](std::size_t number) { return at_half[number]; }, trees, seed_of_tree);
   return means;
 }
 
@@ -104,10 +104,13 @@ ByTree record_habit(ExperimentContext& context, const char* figure) {
   const TreeParameters parameters = thesis_tree(figure);
   FullTrees trees(parameters, context);
   const std::string name = std::string("habit/") + figure;
-  const ByTree shares = record_shares(context, name, [&](std::size_t) {
-    const GrownTree tree = trees.next();
-    return trunk_shares(tree.skeleton, tree.seedling.crown_root, parameters.plant);
-  });
+  const ByTree shares = record_shares(
+      context, name,
+      [&](std::size_t) {
+        const GrownTree tree = trees.next();
+        return trunk_shares(tree.skeleton, tree.seedling.crown_root, parameters.plant);
+      },
+      trees_per_trend, [&](std::size_t number) { return trees.seed(number); });
   context.record(name + "/left-out", trees.left_out(), "trees");
   return shares;
 }

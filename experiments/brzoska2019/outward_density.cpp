@@ -85,17 +85,22 @@ void record_shell(ExperimentContext& context) {
 /// their shares of the nodes with a child. Numbers rise outwards wherever nodes do, as they do in
 /// every crown here; shares need not. Returns outer less inner shares.
 ByTree record_halves(ExperimentContext& context, const std::string& name,
-                     const std::function<GrownTree(std::size_t)>& grow) {
+                     const std::function<GrownTree(std::size_t)>& grow,
+                     const SeedOfTree& seed_of_tree = {}) {
   ByTree inner_number, outer_number, inner_share, outer_share;
-  const ByTree gain = record_trees(context, name + "/outward-gain", "1", [&](std::size_t number) {
-    const GrownTree tree = grow(number);
-    const std::vector<CrownPart> parts = crown_parts(tree.skeleton, tree.seedling.crown_root, 2);
-    inner_number.push_back(static_cast<double>(parts[0].branchings));
-    outer_number.push_back(static_cast<double>(parts[1].branchings));
-    inner_share.push_back(parts[0].branching_share());
-    outer_share.push_back(parts[1].branching_share());
-    return outer_share.back() - inner_share.back();
-  });
+  const ByTree gain = record_trees(
+      context, name + "/outward-gain", "1",
+      [&](std::size_t number) {
+        const GrownTree tree = grow(number);
+        const std::vector<CrownPart> parts =
+            crown_parts(tree.skeleton, tree.seedling.crown_root, 2);
+        inner_number.push_back(static_cast<double>(parts[0].branchings));
+        outer_number.push_back(static_cast<double>(parts[1].branchings));
+        inner_share.push_back(parts[0].branching_share());
+        outer_share.push_back(parts[1].branching_share());
+        return outer_share.back() - inner_share.back();
+      },
+      trees_per_trend, seed_of_tree);
   record_trend(context, name + "/outer-number-over-inner", outer_number, inner_number);
   record_trend(context, name + "/outer-share-over-inner", outer_share, inner_share);
   return gain;
@@ -128,7 +133,9 @@ void record_thesis_trees(ExperimentContext& context) {
        {"figure-40-left", "figure-43-left", "figure-44-left", "figure-46-left", "figure-51"}) {
     const std::string name = std::string("thesis-tree/") + figure;
     FullTrees trees(thesis_tree(figure), context);
-    record_halves(context, name, [&](std::size_t) { return trees.next(); });
+    record_halves(
+        context, name, [&](std::size_t) { return trees.next(); },
+        [&](std::size_t number) { return trees.seed(number); });
     context.record(name + "/left-out", trees.left_out(), "trees");
   }
 }

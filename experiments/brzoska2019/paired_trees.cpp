@@ -25,25 +25,34 @@ GrowthResult grow_seedling(const Seedling& seedling, const ExperimentContext& co
 
 GrownTree FullTrees::next() {
   for (;; ++left_out_) {
-    GrownTree tree{make_seedling(tree_of_trend(parameters_, context_, number_++))};
+    const TreeParameters own = tree_of_trend(parameters_, context_, number_++);
+    GrownTree tree{make_seedling(own)};
     GrowthResult result = grow_seedling(tree.seedling, context_);
     if (result.stop_reason != StopReason::iteration_limit) continue;
     tree.skeleton = std::move(result.skeleton);
+    seeds_.push_back(own.seed);
     return tree;
   }
 }
 
+std::uint64_t FullTrees::seed(std::size_t number) const {
+  PHYTOBENCH_EXPECT(number < seeds_.size());
+  return seeds_[number];
+}
+
 ByTree record_trees(ExperimentContext& context, const std::string& name, const std::string& unit,
-                    const std::function<double(std::size_t)>& value_of_tree, std::size_t trees) {
+                    const std::function<double(std::size_t)>& value_of_tree, std::size_t trees,
+                    const SeedOfTree& seed_of_tree) {
   context.progress(name);
   ByTree values;
   for (std::size_t number = 0; number < trees; ++number) {
     values.push_back(value_of_tree(number));
-    context.record({.experiment = {},
-                    .measurement = fmt::format("{}/tree-{:02}", name, number),
-                    .value = values.back(),
-                    .unit = unit,
-                    .seed = tree_of_trend({}, context, number).seed});
+    context.record(
+        {.experiment = {},
+         .measurement = fmt::format("{}/tree-{:02}", name, number),
+         .value = values.back(),
+         .unit = unit,
+         .seed = seed_of_tree ? seed_of_tree(number) : tree_of_trend({}, context, number).seed});
   }
   alsweis::record_mean(context, name + "/mean", values, unit);
   return values;

@@ -46,19 +46,27 @@ class FullTrees {
 
   /// ContractViolation if a thousand seeds do not grow enough trees.
   GrownTree next();
+  /// The seed of the tree that next() gave as that number, from 0. It is not that of
+  /// tree_of_trend() once a tree was left out.
+  std::uint64_t seed(std::size_t number) const;
   std::int64_t left_out() const { return left_out_; }
 
  private:
   TreeParameters parameters_;
   const ExperimentContext& context_;
+  std::vector<std::uint64_t> seeds_;
   std::size_t number_ = 0;
   std::int64_t left_out_ = 0;
 };
 
+/// The seed with which the tree of a number was grown.
+using SeedOfTree = std::function<std::uint64_t(std::size_t)>;
+
 /// The values of trees 0 ... trees - 1, recorded as "<name>/tree-07" and "<name>/mean".
+/// `seed_of_tree` is asked after the value; without it trees are those of tree_of_trend().
 ByTree record_trees(ExperimentContext& context, const std::string& name, const std::string& unit,
                     const std::function<double(std::size_t)>& value_of_tree,
-                    std::size_t trees = trees_per_trend);
+                    std::size_t trees = trees_per_trend, const SeedOfTree& seed_of_tree = {});
 
 /// In how many trees `more` is greater than `less`: "<name>/wins", with the mean difference beside
 /// it.

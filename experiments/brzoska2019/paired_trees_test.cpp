@@ -51,6 +51,28 @@ TEST(PairedTrees, TreesThatStopEarlyAreLeftOut) {
   EXPECT_GT(trees.left_out(), 0);
 }
 
+TEST(PairedTrees, RecordsHaveTheSeedOfTheTreeThatWasMeasured) {
+  TreeParameters parameters;
+  parameters.cloud_density = 12.0;  // as above
+  parameters.iterations = 8;
+  ExperimentContext context = context_with_seed(0);
+  FullTrees trees(parameters, context);
+  constexpr std::size_t number_of_trees = 20;
+  record_trees(
+      context, "nodes", "nodes",
+      [&](std::size_t) { return static_cast<double>(trees.next().skeleton.node_count()); },
+      number_of_trees, [&](std::size_t number) { return trees.seed(number); });
+  ASSERT_GT(trees.left_out(), 0);
+  EXPECT_THROW(trees.seed(number_of_trees), ContractViolation);
+  TreeParameters again = tree_of_trend(parameters, context, 0);
+  for (std::size_t number = 0; number < number_of_trees; ++number) {
+    const Record& record = context.records().at(number);
+    again.seed = record.seed.value();
+    const GrowthResult result = grow_seedling(make_seedling(again), context);
+    EXPECT_EQ(record.value, RecordValue(static_cast<double>(result.skeleton.node_count())));
+  }
+}
+
 TEST(PairedTrees, TreesThatNeverGrowAreAMistake) {
   TreeParameters parameters;
   parameters.cloud_density = 0.1;

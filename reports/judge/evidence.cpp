@@ -18,6 +18,26 @@ double read_back(const std::string& text) {
   return std::strtod(text.c_str(), nullptr);
 }
 
+std::vector<double> as_seen(std::span<const double> values, int digits) {
+  std::vector<double> seen;
+  for (const double value : values) seen.push_back(read_back(shown(value, digits)));
+  return seen;
+}
+
+/// Whether every number is seen on its side of every bound.
+bool are_told_apart(std::span<const double> numbers, std::span<const double> bounds, int digits) {
+  const std::vector<double> seen_numbers = as_seen(numbers, digits);
+  const std::vector<double> seen_bounds = as_seen(bounds, std::max(digits, shown_digits));
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    for (std::size_t j = 0; j < bounds.size(); ++j) {
+      const double number = numbers[i], bound = bounds[j];
+      if (number == bound || !std::isfinite(number) || !std::isfinite(bound)) continue;
+      if (number < bound ? seen_numbers[i] >= seen_bounds[j] : seen_numbers[i] <= seen_bounds[j])
+        return false;
+    }
+  return true;
+}
+
 }  // namespace
 
 Evidence::Evidence(const RunContents& run) {
@@ -120,15 +140,10 @@ std::string shown(const RecordValue& value, int digits) {
 
 int digits_to_tell_apart(std::span<const double> numbers, std::span<const double> bounds,
                          int least) {
-  const auto are_apart = [](double a, double b, int digits) {
-    if (a == b || !std::isfinite(a) || !std::isfinite(b)) return true;
-    const double shown_a = read_back(shown(a, digits)), shown_b = read_back(shown(b, digits));
-    return a < b ? shown_a < shown_b : shown_a > shown_b;
-  };
+  // One digit more may make equal what was apart: 1.2345649 and 1.2345651 differ with six digits
+  // and not with seven. So no pair is ever settled before the others.
   int digits = least;
-  for (const double number : numbers)
-    for (const double bound : bounds)
-      while (digits < most_shown_digits && !are_apart(number, bound, digits)) ++digits;
+  while (digits < most_shown_digits && !are_told_apart(numbers, bounds, digits)) ++digits;
   return digits;
 }
 

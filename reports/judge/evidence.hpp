@@ -59,8 +59,9 @@ inline constexpr int shown_digits = 6;
 std::string shown(const RecordValue& value, int digits = shown_digits);
 std::string shown(double value, int digits = shown_digits);
 
-/// The fewest digits, from `least` to 17, with which each number and each bound that differ are
-/// shown as different, and in their order: a value that misses its bound must not look equal to it.
+/// The fewest digits, from `least` to 17, with which all numbers stand on their side of all bounds
+/// that they differ from: a value that misses its bound must not look equal to it. Bounds are shown
+/// with as many digits, but never fewer than `shown_digits`.
 int digits_to_tell_apart(std::span<const double> numbers, std::span<const double> bounds,
                          int least = shown_digits);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reports/judge/evidence.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -168,6 +169,22 @@ TEST(DigitsToTellApart, AreAsFewAsWillDo) {
   EXPECT_EQ(digits_between(std::nextafter(0.1, 1.0), 0.1), 17);
 }
 
+// 1.2345649 is told from its bound by six digits, the other value only by seven - with which the
+// first is no longer told from it.
+TEST(DigitsToTellApart, DoNotForgetAPairThatMoreDigitsMakeEqual) {
+  EXPECT_EQ(digits_between(1.2345649, 1.2345651), 6);
+  EXPECT_EQ(digits_between(1.2345688, 1.2345651), 7);
+  const std::vector numbers{1.2345649, 1.2345688}, backwards{1.2345688, 1.2345649};
+  EXPECT_EQ(digits_to_tell_apart(numbers, std::vector{1.2345651}), 8);
+  EXPECT_EQ(digits_to_tell_apart(backwards, std::vector{1.2345651}), 8);
+}
+
+// With four digits the bound would be 1234000 and the value above it, as it should be. But a bound
+// is shown with six: 1.23447e+06 seems to be more than the whole number 1234467.
+TEST(DigitsToTellApart, AreThoseWithWhichBoundsAreShown) {
+  EXPECT_EQ(digits_between(1234467.0, 1234466.9, 4), 8);
+}
+
 TEST(DigitsToTellApart, BearNumbersThatAreNone) {
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(digits_between(infinity, 1.0), 6);
@@ -191,6 +208,40 @@ TEST(DigitsToTellApartLaw, KeepOrderAndOneFewerDoesNot) {
     EXPECT_EQ(order(digits), number > bound ? 1 : -1) << number << " " << bound;
     if (digits > shown_digits) {
       EXPECT_EQ(order(digits - 1), 0);
+    }
+  }
+}
+
+/// Whether a reader sees all numbers on their side of all bounds.
+bool are_in_order(const std::vector<double>& numbers, const std::vector<double>& bounds,
+                  int digits) {
+  const auto side = [](double number, double bound) { return (number > bound) - (number < bound); };
+  for (const double number : numbers)
+    for (const double bound : bounds)
+      if (side(number, bound) != side(std::stod(shown(number, digits)),
+                                      std::stod(shown(bound, std::max(digits, shown_digits)))))
+        return false;
+  return true;
+}
+
+// What holds for one number must hold for several beside each other, and for whole ones, which are
+// shown in full.
+TEST(DigitsToTellApartLaw, KeepTheOrderOfAllNumbersAndOneFewerDoesNot) {
+  CounterStream stream(61, 0);
+  for (int i = 0; i < 2000; ++i) {
+    const double scale = std::pow(10.0, 8.0 * stream.next_unit());
+    const std::vector bounds{scale, scale * (1.0 + 1e-3 * stream.next_unit())};
+    const int least = i % 2 == 0 ? shown_digits : 4;
+    std::vector<double> numbers;
+    for (int n = 0; n < 4; ++n) {
+      const double off = std::pow(10.0, -9.0 * stream.next_unit());
+      numbers.push_back(scale * (stream.next_unit() < 0.5 ? 1.0 - off : 1.0 + off));
+      if (n == 3) numbers.back() = std::round(numbers.back());
+    }
+    const int digits = digits_to_tell_apart(numbers, bounds, least);
+    EXPECT_TRUE(are_in_order(numbers, bounds, digits)) << "case " << i;
+    if (digits > least) {
+      EXPECT_FALSE(are_in_order(numbers, bounds, digits - 1)) << "case " << i;
     }
   }
 }

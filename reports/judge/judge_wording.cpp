@@ -2,7 +2,6 @@
 #include "reports/judge/judge_wording.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -41,9 +40,7 @@ std::string wanted_of(const ClaimCheck& check, int digits) {
 }
 
 /// An interval says itself how few of its digits mean anything.
-int least_digits(const Estimate& estimate) {
-  return estimate.low == estimate.high ? shown_digits : 4;
-}
+constexpr int least_digits_of_intervals = 4;
 
 std::vector<double> bounds_of(const ClaimCheck& check) {
   std::vector<double> bounds;
@@ -52,21 +49,27 @@ std::vector<double> bounds_of(const ClaimCheck& check) {
   return bounds;
 }
 
-/// With which values and bounds of a check are shown so that one sees on which side they lie.
-int digits_of(const ClaimCheck& check, const MedianOfRounds& number) {
-  const std::array ends{number.value, number.low, number.high};
-  return digits_to_tell_apart(ends, bounds_of(check), least_digits(number));
+/// With which all values of a check are shown so that one sees on which side of its bounds each
+/// lies.
+int digits_of(const ClaimCheck& check, const JudgedCheck& judged) {
+  std::vector<double> ends;
+  int least = least_digits_of_intervals;
+  for (const JudgedTerm& term : judged.terms) {
+    if (!term.number) continue;
+    ends.insert(ends.end(), {term.number->value, term.number->low, term.number->high});
+    if (term.number->low == term.number->high) least = shown_digits;
+  }
+  return digits_to_tell_apart(ends, bounds_of(check), least);
 }
 
 std::string shown_number(const MedianOfRounds& number, int digits) {
-  digits = std::max(digits, least_digits(number));
   if (number.is_only_range())
     return fmt::format("{}, {} to {} in {} rounds, {} needed", shown(number.value, digits),
                        shown(number.low, digits), shown(number.high, digits), number.rounds,
                        fewest_rounds);
   if (number.low == number.high) return shown(number.value, digits);
-  return fmt::format("{:.{}g} [{:.{}g}, {:.{}g}]", number.value, digits, number.low, digits,
-                     number.high, digits);
+  return fmt::format("{} [{}, {}]", shown(number.value, digits), shown(number.low, digits),
+                     shown(number.high, digits));
 }
 
 }  // namespace
@@ -96,9 +99,7 @@ std::string expression_of(const ClaimCheck& check, const std::vector<std::string
 }
 
 void word_numbers(const ClaimCheck& check, JudgedCheck& judged) {
-  int digits = 0;
-  for (const JudgedTerm& term : judged.terms)
-    if (term.number) digits = std::max(digits, digits_of(check, *term.number));
+  const int digits = digits_of(check, judged);
   for (JudgedTerm& term : judged.terms)
     if (term.number) term.measured = shown_number(*term.number, digits);
   judged.wanted = wanted_of(check, std::max(digits, shown_digits));

@@ -55,6 +55,15 @@ TEST(JudgeWording, ShowsBoundsWithTheDigitsOfTheirValues) {
   EXPECT_EQ(check.terms[1].measured, "1");
 }
 
+// Seven digits, which the second value needs, would show the first as equal to its bound.
+TEST(JudgeWording, TellsAllValuesOfACheckFromItsBound) {
+  const JudgedCheck check = worded({.low = 1.2345651}, {1.2345649, 1.2345688});
+  EXPECT_EQ(check.wanted, ">= 1.2345651 in 2 of 2");
+  EXPECT_EQ(check.terms[0].measured, "1.2345649");
+  EXPECT_EQ(check.terms[0].outcome, CheckOutcome::fails);
+  EXPECT_EQ(check.terms[1].measured, "1.2345688");
+}
+
 TEST(JudgeWording, ShowsThatValuesAreNotAllTheSame) {
   const double third = 1.0 / 3.0;
   EXPECT_EQ(worded({.subject = CheckSubject::same}, {third, third}).terms[0].measured, "0.333333");
@@ -64,11 +73,11 @@ TEST(JudgeWording, ShowsThatValuesAreNotAllTheSame) {
             "0.3333333333333333, 0.3333333333333334");
 }
 
-JudgedTerm timed_term(int rounds, double low, double step) {
+JudgedTerm timed_term(int rounds, double low, double step, double first = 1.0) {
   RunContents run;
   for (int i = 0; i < rounds; ++i)
     run.timings.push_back(
-        {.experiment = "p/e", .measurement = "p/e/a", .round = i, .value = 1.0 + step * i});
+        {.experiment = "p/e", .measurement = "p/e/a", .round = i, .value = first + step * i});
   Claim claim;
   claim.checks = {{.terms = {{"p/e/a"}}, .low = low, .required = 1}};
   return judge(claim, Evidence(run), Tier::full).checks[0].terms[0];
@@ -77,8 +86,16 @@ JudgedTerm timed_term(int rounds, double low, double step) {
 TEST(JudgeWording, ShowsIntervalsFromSixRoundsOnAndRangesBelow) {
   EXPECT_EQ(timed_term(6, 0.5, 0.125).measured, "1.312 [1, 1.625]");
   EXPECT_EQ(timed_term(3, 0.5, 0.125).measured, "1.125, 1 to 1.25 in 3 rounds, 6 needed");
-  EXPECT_EQ(timed_term(6, 0.99999, 0.125).measured, "1.3125 [1, 1.625]")
-      << "its lower end would look equal to the bound";
+  EXPECT_EQ(timed_term(6, 0.99999, 0.125).measured, "1.312 [1, 1.625]");
+  EXPECT_EQ(timed_term(6, 0.9999999, 0.125).measured, "1.3125 [1, 1.625]")
+      << "the bound would look equal to its lower end";
+}
+
+// Four digits of the lower end, 1.234e+04, would look less than the bound.
+TEST(JudgeWording, ShowsWholeNumbersOfAnIntervalInFull) {
+  const JudgedTerm term = timed_term(6, 12344, 2, 12345);
+  EXPECT_EQ(term.outcome, CheckOutcome::holds);
+  EXPECT_EQ(term.measured, "12350 [12345, 12355]");
 }
 
 }  // namespace

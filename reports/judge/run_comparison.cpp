@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/contract/check.hpp"
+#include "reports/verdict_counts.hpp"
 
 namespace phytobench {
 
@@ -39,7 +40,8 @@ ComparedClaim compared_claim(std::span<const LabelledRun> runs, std::size_t pape
   return compared;
 }
 
-/// Inconclusive, with what each run found.
+/// Inconclusive, with what each run found. A reason is for readers: it calls a verdict as they see
+/// it everywhere else.
 Judgement contradicted_judgement(std::span<const LabelledRun> runs, const ComparedClaim& compared,
                                  std::size_t paper, std::size_t claim) {
   Judgement merged{.verdict = Verdict::inconclusive};
@@ -49,7 +51,7 @@ Judgement contradicted_judgement(std::span<const LabelledRun> runs, const Compar
     const Judgement& own = judgement_of(runs[run], paper, claim);
     const std::string separator = run > 0 ? "; " : "";
     const std::string letter = run_letter(run);
-    merged.reason += separator + letter + ": " + std::string(name_of(compared.verdicts[run]));
+    merged.reason += separator + letter + ": " + std::string(label_of(compared.verdicts[run]));
     merged.measured += separator + letter + ": " + own.measured;
     for (JudgedCheck check : own.checks) {
       for (JudgedTerm& term : check.terms) term.expression += " (" + letter + ")";

@@ -206,6 +206,13 @@ TEST(MergeRuns, CallsAContradictionInconclusiveAndNamesTheRuns) {
   EXPECT_FALSE(merged.judged.papers[0].judgements[1].contradicted);
 }
 
+TEST(MergeRuns, CallsVerdictsOfAContradictionAsReadersSeeThem) {
+  const MergedRuns merged = merged_runs(run_of("A", amended, holds), run_of("B", fails, holds));
+  EXPECT_EQ(merged.judged.papers[0].judgements[0].reason,
+            "The runs disagree: A: wrong as printed, holds corrected; B: not reproduced. "
+            "Bounds are exact.");
+}
+
 TEST(MergeRuns, PointsToItsOwnClaimsAndTables) {
   const MergedRuns merged = merged_runs(run_of("A", absent, holds), run_of("B", holds, holds));
   const JudgedPaper& paper = merged.judged.papers[0];

@@ -12,6 +12,21 @@ namespace phytobench {
 
 namespace {
 
+/// Turned so that more is better, whatever the aim.
+struct Ends {
+  double worse;
+  double better;
+};
+
+double sign_of(const Aim& aim) {
+  return aim.more_is_better() ? 1.0 : -1.0;
+}
+
+Ends ends_of(const Aim& aim, const MedianOfRounds& measured) {
+  return aim.more_is_better() ? Ends{measured.low, measured.high}
+                              : Ends{-measured.high, -measured.low};
+}
+
 /// "25298/voxel_grid.dn/exact" -> 25298 and "voxel_grid.dn"; nothing for other measurements.
 struct Place {
   double size;
@@ -172,20 +187,19 @@ class ScalingJudge {
     if (!measured) return judged;
     judged.measured = *measured;
     judged.varies = aim.kind != Aim::Kind::over_floor;
-    judged.state = state_of(aim, *measured);
+    judged.state = state_of(judged);
     return judged;
   }
 
-  static JudgedAim::State state_of(const Aim& aim, const MedianOfRounds& measured) {
+  static JudgedAim::State state_of(const JudgedAim& judged) {
     using State = JudgedAim::State;
-    if (measured.is_only_range()) return State::open;
-    const double sign = aim.more_is_better() ? 1.0 : -1.0;
-    const double least = std::min(sign * measured.low, sign * measured.high);
-    const double most = std::max(sign * measured.low, sign * measured.high);
-    return least >= sign * aim.aim    ? State::reached
-           : least >= sign * aim.must ? State::must_reached
-           : most >= sign * aim.must  ? State::open
-                                      : State::missed;
+    if (judged.measured.is_only_range()) return State::open;
+    const Ends ends = ends_of(judged.aim, judged.measured);
+    const double must = sign_of(judged.aim) * judged.aim.must;
+    if (ends.worse >= sign_of(judged.aim) * judged.aim.aim) return State::reached;
+    if (ends.worse >= must)
+      return judged.surely_misses_its_aim() ? State::must_reached : State::must_reached_aim_open;
+    return ends.better >= must ? State::open : State::missed;
   }
 
   std::optional<MedianOfRounds> measure(const Aim& aim) const {
@@ -202,8 +216,8 @@ class ScalingJudge {
     return std::nullopt;
   }
 
-  /// Sizes are timed one after the other. Pairing their rounds removes nothing that they share, but
-  /// for independent rounds the interval is as exact as any.
+  /// Sizes are timed one after the other: pairing their rounds removes nothing that they share, and
+  /// as they are independent, the interval of their ratios is as exact as any.
   std::optional<MedianOfRounds> per_point(const Aim& aim) const {
     const std::string& entry = aim.entries.at(0);
     const double large = aim.sizes.at(0), small = aim.sizes.at(1);
@@ -239,6 +253,10 @@ class ScalingJudge {
 };
 
 }  // namespace
+
+bool JudgedAim::surely_misses_its_aim() const {
+  return !measured.is_only_range() && ends_of(aim, measured).better < sign_of(aim) * aim.aim;
+}
 
 JudgedScaling judge_scaling(ScalingStudy study, const RunContents& run, const Evidence& evidence) {
   return ScalingJudge(std::move(study), run, evidence).judge();

@@ -16,8 +16,11 @@ namespace phytobench {
 /// What an engine must and should reach, written down before it was built.
 struct Aim {
   enum class Kind {
-    ratio,            ///< time of `entries[0]` over that of `entries[1]`, at sizes[0]
-    per_point,        ///< time per attraction point at sizes[0] over that at sizes[1]
+    ratio,  ///< time of `entries[0]` over that of `entries[1]`, at sizes[0]
+    /// Time per attraction point at sizes[0] over that at sizes[1]. The rounds of two sizes are
+    /// independent of each other and are paired by their number: the value is the median of those
+    /// ratios, not the ratio of two medians, and rounds that only one size has are left out.
+    per_point,
     over_floor,       ///< distance evaluations over the floor, the largest of all sizes
     bytes_per_point,  ///< memory, the largest of all sizes
   };
@@ -27,7 +30,7 @@ struct Aim {
   std::vector<double> sizes;
   double must = 0.0;
   double aim = 0.0;
-  std::string limits;  ///< what keeps it from its aim, shown only if it is missed
+  std::string limits;  ///< what keeps it from its aim, shown only if it surely misses it
 
   bool more_is_better() const { return kind == Kind::ratio; }
 };
@@ -45,11 +48,22 @@ struct ScalingStudy {
 ScalingStudy load_scaling_study(const std::string& id);
 
 struct JudgedAim {
-  enum class State { reached, must_reached, missed, open, not_measured };
+  enum class State {
+    reached,
+    must_reached,           ///< the least, and the aim is surely missed
+    must_reached_aim_open,  ///< the least, and the interval holds the aim
+    missed,
+    open,  ///< too few rounds, or the interval holds the least
+    not_measured
+  };
   Aim aim;
-  State state = State::not_measured;  ///< open: too few rounds, or the interval holds the bound
+  State state = State::not_measured;
   MedianOfRounds measured;
   bool varies = true;
+
+  /// Whether even the better end of the interval is short of the aim (not of the least). A range
+  /// of few rounds is sure of nothing.
+  bool surely_misses_its_aim() const;
 };
 
 /// One engine with its loop option (and threads, if more than one) over all sizes.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reports/plot/line_plot.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -109,7 +111,8 @@ TEST_F(DrawnLinePlot, EscapesTitleAndDescription) {
 }
 
 TEST_F(DrawnLinePlot, TakesNamesForTextAndNeverForCommands) {
-  const std::string file = testing::TempDir() + "phytobench_trap";
+  const std::string file =
+      testing::TempDir() + "phytobench_trap_of_names_" + std::to_string(::getpid());
   for (const std::string& name :
        {"' set print '" + file + "' #", "a'' ; system('touch " + file + "') #",
         "\"; system('touch " + file + "') #", "`touch " + file + "`",
