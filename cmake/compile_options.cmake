@@ -16,10 +16,11 @@ if(PHYTOBENCH_SANITIZERS)
   add_compile_options(-Wno-maybe-uninitialized -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 endif()
-# What computes little is not worth optimising where sanitizers run: it compiles twice as fast.
+# For what computes little, where sanitizers run: without optimisation, and without the checks of every single access
+# that the address sanitizer makes, too, it compiles three times as fast.
 function(phytobench_quick_to_compile TARGET)
   if(PHYTOBENCH_SANITIZERS)
-    target_compile_options(${TARGET} PRIVATE -O0)
+    target_compile_options(${TARGET} PRIVATE -O0 -fno-sanitize=null,alignment,object-size,vptr)
   endif()
 endfunction()
 if(PHYTOBENCH_COUNTERS)

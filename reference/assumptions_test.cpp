@@ -14,7 +14,7 @@ namespace phytobench {
 namespace {
 
 /// One line for each claim that an assumption names in vain, and for each claim that is said to be
-/// assumed while no assumption says what.
+/// assumed or fitted while no assumption says what.
 std::string objections(const std::vector<Assumption>& assumptions,
                        const std::vector<Claim>& claims) {
   std::set<std::string> known, named;
@@ -28,8 +28,8 @@ std::string objections(const std::vector<Assumption>& assumptions,
       named.insert(claim);
     }
   for (const Claim& claim : claims)
-    if (claim.basis == "assumed" && !named.contains(claim.id))
-      found += "\n  assumed, but no assumption names it: " + claim.id;
+    if ((claim.basis == "assumed" || claim.basis == "fitted") && !named.contains(claim.id))
+      found += "\n  " + claim.basis + ", but no assumption names it: " + claim.id;
   return found;
 }
 
@@ -67,6 +67,9 @@ TEST(Assumptions, AGapIsNoticed) {
   EXPECT_EQ(objections({assumption}, {assumed, plain}), "");
   EXPECT_NE(objections({assumption}, {plain}), "") << "there is no such claim";
   EXPECT_NE(objections({}, {assumed}), "") << "nobody says what is assumed";
+  Claim fitted = assumed;
+  fitted.basis = "fitted";
+  EXPECT_NE(objections({}, {fitted}), "") << "nobody says what is fitted";
   EXPECT_NE(objections({Assumption{.id = "A1", .claims = {"p/a", "p/a"}}}, {assumed}), "");
 }
 

@@ -107,10 +107,14 @@ std::string printed_sentence(const std::string& published) {
 
 std::string refuted_entry(const Judgement& judgement, const JudgedPaper& work) {
   const Claim& claim = *judgement.claim;
-  return fmt::format("- {}: {}{} {}{}\n", with_literal_markdown(claim.locator),
+  const std::string machines =
+      claim.machine_dependence.empty()
+          ? ""
+          : " It depends on the machine: " + as_sentence(claim.machine_dependence);
+  return fmt::format("- {}: {}{} {}{}{}\n", with_literal_markdown(claim.locator),
                      as_sentence(claim.text), printed_sentence(claim.published),
                      as_sentence(without_remarks(with_places(claim.reason, work))),
-                     with_literal_markdown(measured_sentences(judgement)));
+                     with_literal_markdown(measured_sentences(judgement)), machines);
 }
 
 }  // namespace phytobench

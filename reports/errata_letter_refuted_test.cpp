@@ -24,6 +24,17 @@ std::string entry_of(const ClaimCheck& bounds, const RecordValue& value) {
   return refuted_entry(judge(claim, Evidence(run), Tier::full), {});
 }
 
+TEST(RefutedEntry, SaysWhereTheMachineDecides) {
+  Claim claim;
+  claim.reason = "Because.";
+  Judgement judgement;
+  judgement.claim = &claim;
+  EXPECT_THAT(refuted_entry(judgement, {}), testing::Not(HasSubstr("depends on the machine")));
+  claim.machine_dependence = "it holds on others";
+  EXPECT_THAT(refuted_entry(judgement, {}),
+              HasSubstr("It depends on the machine: it holds on others."));
+}
+
 TEST(RefutedEntry, DoesNotRoundAValueToTheBoundThatItMisses) {
   EXPECT_THAT(entry_of({.high = 0.9}, 0.9 + 1e-9),
               HasSubstr("Measured in this way: 0.900000001; needed: at most 0.9."));
