@@ -29,7 +29,7 @@ double p_value(const Points& points, const Window& window, const HopkinsNull& nu
   return rank_p_value(hopkins_exact(points, window).mean_ratio, null.mean_ratio, Tail::both);
 }
 
-TEST(HopkinsNullLaw, PValuesOfRandomPatternsAreUniform) {
+TEST(HopkinsNullSlow, PValuesOfRandomPatternsAreUniform) {
   constexpr std::size_t points = 50;
   for (const Window& window : {square, torus, test_patterns::l_shape()}) {
     std::vector<double> p_values;
@@ -114,7 +114,7 @@ TEST(HopkinsNull, FindsClustersAndLattices) {
   EXPECT_EQ(lattices, runs);
 }
 
-TEST(HopkinsNull, ScalesItsSpreadForLargePatterns) {
+TEST(HopkinsNullSlow, ScalesItsSpreadForLargePatterns) {
   const HopkinsNull small =
       hopkins_null(torus, 6400, {.simulations = 300, .seed = 1, .most_points = 400});
   const HopkinsNull full =
