@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/contract/errors.hpp"
+#include "reference/claim_bases.hpp"
 #include "reference/data_folder.hpp"
 #include "reference/toml_table.hpp"
 
@@ -18,8 +19,6 @@ namespace {
 
 constexpr std::array<std::string_view, 8> kinds = {
     "value", "count", "ratio", "ordering", "exponent", "identity", "distribution", "qualitative"};
-constexpr std::array<std::string_view, 4> bases = {"paper", "author-published", "assumed",
-                                                   "fitted"};
 constexpr std::array<std::string_view, 7> whys = {
     "chosen bound",   "exact",          "printed rounding", "figure reading",
     "sampling error", "floating point", "stated bound"};
@@ -132,7 +131,7 @@ Claim claim_from(const TomlTable& table, const std::string& paper) {
   claim.published = table.text("published");
   claim.unit = table.text_or("unit", "1");
   if (const auto digits = table.number_if_given("digits")) claim.digits = static_cast<int>(*digits);
-  claim.basis = bases[word(table, "basis", bases)];
+  claim.basis = claim_bases[word(table, "basis", claim_bases)];
   claim.tier = static_cast<Tier>(word(table, "tier", tiers));
   claim.expected_verdict = verdict_of(table, "expected_verdict");
   claim.predicted_verdict = verdict_of(table, "predicted_verdict");

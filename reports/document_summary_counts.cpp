@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "reports/claim_bases.hpp"
+#include "reference/claim_bases.hpp"
 #include "reports/document_anchors.hpp"
 #include "reports/document_claims.hpp"
 #include "reports/document_errata_kinds.hpp"
@@ -36,7 +36,8 @@ ordered_json counts_row(const JudgedRun& judged, const ShownVerdict& verdict,
       {"verdict", verdict.label}, {"class", verdict.look}, {"row", verdict.row}, {"total", total}};
   row["any"] = total > 0;
   row["by_basis"] = row["by_paper"] = row["kinds"] = ordered_json::array();
-  for (const char* basis : claim_bases) row["by_basis"].push_back({{"count", by_basis[basis]}});
+  for (const std::string_view basis : claim_bases)
+    row["by_basis"].push_back({{"count", by_basis[std::string(basis)]}});
   for (const JudgedPaper& paper : judged.papers)
     row["by_paper"].push_back({{"count", by_paper[paper.paper.key]}});
   return row;

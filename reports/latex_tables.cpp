@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/claim_bases.hpp"
+#include "reference/claim_bases.hpp"
 #include "reports/document_errata_kinds.hpp"
 #include "reports/judge/for_each_judgement.hpp"
 #include "reports/latex_text.hpp"
@@ -161,7 +161,7 @@ std::string latex_counts(const JudgedRun& judged, bool without_varying) {
     grid.row_labels.push_back(label);
     std::size_t all = 0;
     for (std::size_t b = 0; b < claim_bases.size(); ++b) {
-      const std::size_t count = counts[label][claim_bases[b]];
+      const std::size_t count = counts[label][std::string(claim_bases[b])];
       grid.columns[b + 1].push_back(std::to_string(count));
       all += count;
     }
