@@ -40,6 +40,7 @@ Fields claim_fields(const Claim& claim, const Judgement& judgement, bool hidden,
           std::string(name_of(claim.expected_verdict)),
           claim.predicted_verdict ? std::string(name_of(*claim.predicted_verdict)) : "",
           claim.difference,
+          claim.machine_dependence,
           claim.erratum,
           std::string(name_of(claim.tier)),
           hidden ? claim.reason : judgement.reason,
@@ -112,11 +113,27 @@ std::string csv_line(const Fields& fields) {
 }
 
 std::string claims_csv(const JudgedRun& judged, bool without_varying) {
-  std::string csv =
-      csv_line({"id",         "paper",     "topic", "locator",          "kind",
-                "text",       "published", "unit",  "digits",           "measured",
-                "verdict",    "row",       "basis", "expected_verdict", "predicted_verdict",
-                "difference", "erratum",   "tier",  "reason",           "repeat"});
+  std::string csv = csv_line({"id",
+                              "paper",
+                              "topic",
+                              "locator",
+                              "kind",
+                              "text",
+                              "published",
+                              "unit",
+                              "digits",
+                              "measured",
+                              "verdict",
+                              "row",
+                              "basis",
+                              "expected_verdict",
+                              "predicted_verdict",
+                              "difference",
+                              "machine_dependence",
+                              "erratum",
+                              "tier",
+                              "reason",
+                              "repeat"});
   for (const JudgedPaper& paper : judged.papers)
     for (const Judgement& judgement : paper.judgements)
       csv += csv_line(claim_fields(*judgement.claim, judgement, without_varying && judgement.varies,

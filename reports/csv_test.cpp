@@ -167,6 +167,7 @@ JudgedRun small_judged_run() {
   timed.kind = "ratio";
   timed.basis = "assumed";
   timed.published = "2";
+  timed.machine_dependence = "Other caches.";
   timed.expected_verdict = Verdict::not_reproduced;
   paper.judgements.push_back(
       {.claim = &exact, .verdict = Verdict::reproduced, .measured = "5", .reason = "exact"});
@@ -208,6 +209,7 @@ TEST(ClaimsCsv, HoldsOneRowPerClaim) {
                                                                 {"expected_verdict", "reproduced"},
                                                                 {"predicted_verdict", ""},
                                                                 {"difference", ""},
+                                                                {"machine_dependence", ""},
                                                                 {"erratum", ""},
                                                                 {"tier", "smoke"},
                                                                 {"reason", "exact"},
@@ -217,6 +219,7 @@ TEST(ClaimsCsv, HoldsOneRowPerClaim) {
   EXPECT_EQ(timed["row"], "inconclusive");
   EXPECT_EQ(timed["expected_verdict"], "not reproduced");
   EXPECT_EQ(timed["predicted_verdict"], "underspecified");
+  EXPECT_EQ(timed["machine_dependence"], "Other caches.");
   EXPECT_EQ(timed["repeat"], "phytobench run p/e --tier smoke --out results/again-p-e-smoke");
 }
 

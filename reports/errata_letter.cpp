@@ -188,7 +188,9 @@ class Letter {
   std::string verdict_line(const Erratum& erratum, const Judgement& judgement) const {
     const Claim& claim = *judgement.claim;
     std::string verdict = plain_verdict(judgement, without_varying_);
-    if (is_of_program(erratum) && verdict == label_of(Verdict::reproduced_with_erratum))
+    const bool is_left_out = without_varying_ && judgement.varies;
+    if (is_of_program(erratum) && judgement.verdict == Verdict::reproduced_with_erratum &&
+        !is_left_out)
       verdict = "holds for the program";
     return fmt::format("\n  - {} *({})*", as_sentence(claim.locator + ": " + claim.text), verdict);
   }

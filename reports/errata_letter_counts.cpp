@@ -9,7 +9,6 @@
 
 #include "reports/document_errata_kinds.hpp"
 #include "reports/errata_letter_refuted.hpp"
-#include "reports/verdict_counts.hpp"
 
 namespace phytobench {
 
@@ -26,7 +25,7 @@ constexpr std::array<Saying, 13> sayings{{
     {"holds with values that its author published elsewhere",
      "hold with values that their author published elsewhere", true},
     {"holds under our reading", "hold under our reading of a question above", true},
-    {"wrong as printed, holds corrected", "are wrong as printed and hold corrected", true},
+    {"is wrong as printed and holds corrected", "are wrong as printed and hold corrected", true},
     {"holds with a value chosen to meet it", "hold with a value that was chosen to meet them",
      true},
     {"does not hold", "do not hold", true},
@@ -74,7 +73,7 @@ std::string plain_verdict(const Judgement& judgement, bool without_varying) {
     case Verdict::reproduced:
       return holding_by(judgement.claim->basis);
     case Verdict::reproduced_with_erratum:
-      return std::string(label_of(judgement.verdict));
+      return "is wrong as printed and holds corrected";
     case Verdict::not_reproduced:
       return "does not hold";
     case Verdict::inconclusive:

@@ -93,7 +93,7 @@ TEST(ErrataLetter, HoldsAllOfAnErratumInTheOrderOfTheWork) {
         "volume V = 843.2537; density rho = 30. Sought: points. As printed: **28.10846**; "
         "corrected: **25298**. The test tree.",
         "**What follows:** Too few points.",
-        "  - eq. 2: It grows with w/corrected. *(wrong as printed, holds corrected)*",
+        "  - eq. 2: It grows with w/corrected. *(is wrong as printed and holds corrected)*",
         "**To check it:** Put in numbers.", "**Kind:** formula", "**Confidence:** certain"})
     EXPECT_THAT(letter, HasSubstr(part));
   EXPECT_THAT(letter, Not(HasSubstr("w/unknown"))) << "a claim that was not judged";
@@ -216,7 +216,7 @@ TEST(ErrataLetter, CountsWhatWasConfirmedAndWhatWasNot) {
   const std::string letter = errata_letter(SmallWork().work, false);
   EXPECT_THAT(letter, HasSubstr("into 5 statements. 5 of them were decided"));
   EXPECT_THAT(letter, HasSubstr("- 2 hold as they stand\n"));
-  EXPECT_THAT(letter, HasSubstr("- 1 wrong as printed, holds corrected\n"));
+  EXPECT_THAT(letter, HasSubstr("- 1 is wrong as printed and holds corrected\n"));
   EXPECT_THAT(letter, HasSubstr("What is wrong with those that hold corrected: a formula (1).\n"));
   EXPECT_THAT(letter, HasSubstr("- eq. 2: It grows with w/refuted. Because. Measured in this way: "
                                 "0.900123; needed: at least 1.\n"));
