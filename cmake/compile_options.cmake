@@ -8,6 +8,11 @@ else()
   # Clang does not know every warning that a pragma of ours names.
   add_compile_options(-Wno-unknown-warning-option)
 endif()
+# Messages of contracts name files from the project's root, wherever it lies: the same sources are the same program.
+# (ccache hands the compiler relative paths.)
+file(RELATIVE_PATH up ${CMAKE_BINARY_DIR} ${PROJECT_SOURCE_DIR})
+cmake_path(APPEND up "")
+add_compile_options(-ffile-prefix-map=${PROJECT_SOURCE_DIR}/= -ffile-prefix-map=${up}=)
 if(PHYTOBENCH_ARCHITECTURE)
   add_compile_options(-march=${PHYTOBENCH_ARCHITECTURE})
 endif()
@@ -23,9 +28,14 @@ function(phytobench_quick_to_compile TARGET)
     target_compile_options(${TARGET} PRIVATE -O0 -fno-sanitize=null,alignment,object-size,vptr)
   endif()
 endfunction()
+# Whether work is counted stands in a header, not on every command line: what does not include it need not be compiled
+# again for the preset `counters` where ccache knows it.
+set(COUNTS_WORK 0)
 if(PHYTOBENCH_COUNTERS)
-  add_compile_definitions(PHYTOBENCH_COUNTERS)
+  set(COUNTS_WORK 1)
 endif()
+configure_file(${PROJECT_SOURCE_DIR}/cmake/counting_policy.hpp.in ${CMAKE_BINARY_DIR}/generated/policy/counting_policy.hpp @ONLY)
+include_directories(${CMAKE_BINARY_DIR}/generated/policy)
 
 # Collects a layer's own sources: every .cpp below the folder that is neither a test, nor a benchmark, nor
 # reached through a .def list.

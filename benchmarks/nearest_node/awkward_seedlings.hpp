@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small seedlings for tests: clouds that tend to break an engine, a judge or a counter.
+// Small seedlings for tests, trials and watched benchmarks: clouds that tend to break an engine, a
+// judge or a counter.
 #pragma once
 
 #include <numbers>

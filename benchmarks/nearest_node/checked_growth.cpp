@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/contract/check.hpp"
+#include "core/nearest_node/plugin/engine_plugin.hpp"
 
 namespace phytobench {
 
@@ -102,6 +103,9 @@ CheckedGrowth grow_checked(const EngineDescriptor& engine, const Seedling& seedl
     checked.result = grow_crown(seedling, checking, run);
   } catch (const Disagreement& disagreement) {
     checked.disagreement = disagreement.what;
+    return checked;
+  } catch (const PluginMisbehaved& misbehaved) {
+    checked.disagreement = misbehaved.what();
     return checked;
   }
   const std::string hash = tree_hash(checked.result.skeleton);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/nearest_node/growth_trace.hpp"
 
-#include <malloc.h>
-
 #include <algorithm>
 
 #include <fmt/format.h>
+
+#include "benchmarks/heap_memory.hpp"
 
 namespace phytobench {
 
@@ -65,10 +65,9 @@ std::string hash_of(std::span<const PointIndex> removed) {
   return hash.text();
 }
 
-/// Bytes in use in all arenas, and in blocks of their own.
+/// 0 where it is not known.
 double heap_in_use() {
-  const struct mallinfo2 info = ::mallinfo2();
-  return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+  return static_cast<double>(heap_bytes().value_or(0));
 }
 
 }  // namespace

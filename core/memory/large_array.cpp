@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <new>
 
+#include "core/memory/allocation_counts.hpp"
+
 namespace phytobench {
 
 void* allocate_large(std::size_t bytes) {
@@ -17,6 +19,7 @@ void* allocate_large(std::size_t bytes) {
   if (whole < bytes) throw std::bad_alloc();
   void* const memory = std::aligned_alloc(alignment, whole);
   if (memory == nullptr) throw std::bad_alloc();
+  note_allocation(bytes);
   if (huge) ::madvise(memory, whole, MADV_HUGEPAGE);  // advice: failing is no harm
   return memory;
 }

@@ -5,6 +5,7 @@
 // because of a new node.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -77,6 +78,30 @@ class NearestNodeEngine {
   virtual WorkCounters counters() const = 0;
 };
 
+/// Makes engines of one kind: a function, or for engines from outside a function that is told which
+/// of them it stands for (see EnginePlugin).
+class EngineFactory {
+ public:
+  using Made = std::unique_ptr<NearestNodeEngine>;
+
+  constexpr EngineFactory() = default;
+  template <std::convertible_to<Made (*)()> Function>
+  constexpr EngineFactory(Function function) : function_(function) {}
+  constexpr EngineFactory(Made (*function)(const void*), const void* context)
+      : function_of_(function), context_(context) {}
+
+  explicit constexpr operator bool() const {
+    return function_ != nullptr || function_of_ != nullptr;
+  }
+
+  Made operator()() const { return function_ != nullptr ? function_() : function_of_(context_); }
+
+ private:
+  Made (*function_)() = nullptr;
+  Made (*function_of_)(const void*) = nullptr;
+  const void* context_ = nullptr;  ///< outlives the factory
+};
+
 /// The whole public face of an engine. One constant of this type per file in engines/, one line in
 /// engines.def.
 struct EngineDescriptor {
@@ -87,9 +112,9 @@ struct EngineDescriptor {
   bool uses_point_filter = true;  ///< false: option N changes nothing for this engine
   std::string_view missing_package =
       {};  ///< empty if built, else the CMake target that was not found
-  std::unique_ptr<NearestNodeEngine> (*create)() = nullptr;
+  EngineFactory create = {};
 
-  bool built() const { return create != nullptr; }
+  bool built() const { return static_cast<bool>(create); }
 };
 
 }  // namespace phytobench

@@ -3,14 +3,12 @@
 
 #include <cstdint>
 
+#include "counting_policy.hpp"
+
 namespace phytobench {
 
 /// Counters inside the innermost loop cost time, so they exist only in the `counters` preset.
-#ifdef PHYTOBENCH_COUNTERS
-inline constexpr bool counts_inner_loop = true;
-#else
-inline constexpr bool counts_inner_loop = false;
-#endif
+inline constexpr bool counts_inner_loop = PHYTOBENCH_COUNTS_WORK != 0;
 
 /// Work done since reset(), independent of the machine. Sums of integers, so the order of threads
 /// does not matter.
