@@ -19,11 +19,18 @@ fs::path data_folder() {
   }
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (const std::optional<fs::path> found = data_folder_of_program(program)) return *found;
+  throw EnvironmentError("no folder share/papers beside " + program.string() +
+                         "; build or install again, or set PHYTOBENCH_DATA to the share folder of "
+                         "a build");
+}
+
+std::optional<fs::path> data_folder_of_program(const fs::path& program) {
   for (fs::path folder = program.parent_path(); folder.has_relative_path();
        folder = folder.parent_path())
-    if (fs::is_directory(folder / "share" / "papers")) return folder / "share";
-  throw EnvironmentError("no folder share/papers beside " + program.string() +
-                         "; build again, or set PHYTOBENCH_DATA to the share folder of a build");
+    for (const fs::path& data : {folder / "share", folder / "share" / "phytobench"})
+      if (fs::is_directory(data / "papers")) return data;
+  return std::nullopt;
 }
 
 fs::path paper_folder(const std::string& key) {

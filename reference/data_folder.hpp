@@ -2,14 +2,20 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace phytobench {
 
-/// The folder with the paper files and report templates: $PHYTOBENCH_DATA, or `share` beside the
+/// The folder with the paper files and report templates: $PHYTOBENCH_DATA, or that of the running
 /// program. Throws EnvironmentError if neither is there.
 std::filesystem::path data_folder();
+
+/// The first folder with papers that is called `share`, as a build has it, or `share/phytobench`,
+/// as an installation has it (bin/phytobench), and lies beside the program or a folder above it.
+/// Nothing if there is none.
+std::optional<std::filesystem::path> data_folder_of_program(const std::filesystem::path& program);
 
 /// The folder of one paper. Throws InputError for an unknown key.
 std::filesystem::path paper_folder(const std::string& key);

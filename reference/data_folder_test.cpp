@@ -110,6 +110,24 @@ TEST_F(DataFolder, IsAnEnvironmentErrorWhereTheVariablePointsNowhere) {
   }
 }
 
+TEST_F(DataFolder, OfAnInstalledProgramIsShareSlashPhytobench) {
+  const fs::path bin = folder() / "bin", installed = folder() / "share" / "phytobench";
+  fs::create_directories(bin);
+  fs::create_directories(installed / "papers");
+  EXPECT_EQ(data_folder_of_program(bin / "phytobench"), installed);
+  // A build's own comes first, a folder without papers never.
+  fs::create_directories(bin / "share");
+  EXPECT_EQ(data_folder_of_program(bin / "phytobench"), installed);
+  fs::create_directories(bin / "share" / "papers");
+  EXPECT_EQ(data_folder_of_program(bin / "phytobench"), bin / "share");
+  EXPECT_EQ(data_folder_of_program(folder() / "phytobench"), installed);
+}
+
+TEST_F(DataFolder, IsNothingWhereNoFolderAboveTheProgramHasOne) {
+  fs::create_directories(folder() / "bin");
+  EXPECT_EQ(data_folder_of_program(folder() / "bin" / "phytobench"), std::nullopt);
+}
+
 TEST_F(DataFolder, StandsAboveTheProgramWithoutTheVariable) {
   ::unsetenv(variable);
   const fs::path found = data_folder();

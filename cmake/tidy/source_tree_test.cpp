@@ -245,6 +245,8 @@ TEST(RegistrationTidy, EveryEngineAndExperimentHasOneLineAndOneFile) {
        {List{"core/nearest_node/engines.def", "core/nearest_node/engines/"},
         List{"core/overlap/overlap_engines.def", "core/overlap/engines/"},
         List{"core/competition/competition_rules.def", "core/competition/rules/"},
+        List{"benchmarks/broken/broken_engines.def", "benchmarks/broken/"},
+        List{"benchmarks/regression/families.def", "benchmarks/regression/families/"},
         List{"benchmarks/faulty_engines/faulty_engines.def", "benchmarks/faulty_engines/"},
         List{"benchmarks/faulty_overlap_engines/faulty_overlap_engines.def",
              "benchmarks/faulty_overlap_engines/"}}) {
