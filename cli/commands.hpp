@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One function per subcommand, each in a file of its own. Options are plain structs: only main.cpp
-// knows the command-line library.
+// and command_line/ know the command-line library.
 #pragma once
 
 #include <cstdint>
@@ -65,7 +65,9 @@ struct NearestNodeRaceOptions {
   double budget = 120.0;
   int rounds = 0;  ///< 0: as many as fit into a minute, at least 3
   std::uint64_t seed = 0;
-  std::string cloud;  ///< CSV file; empty: the scaled test tree
+  std::string cloud;                 ///< CSV file; empty: the scaled test tree
+  std::vector<std::string> plugins;  ///< shared libraries (phytobench_engine.h)
+  double plugin_limit = 30.0;        ///< seconds that one call of a plugin may take
   bool json = false;
   std::string command_line;
 };
@@ -157,6 +159,92 @@ struct CompeteOptions {
   bool json = false;
 };
 int compete(const CompeteOptions& options);
+
+struct BenchListOptions {
+  std::vector<std::string> benchmarks;  ///< names or globs; empty: all
+  bool json = false;
+};
+int bench_list(const BenchListOptions& options);
+
+struct BenchCountersOptions {
+  std::vector<std::string> benchmarks;  ///< names or globs; empty: all
+  std::string baseline;  ///< file; empty: benchmarks/baselines/counters.json of the sources
+  std::string worker;    ///< program or its folder; empty: the one that counts is looked for
+  bool accept = false;   ///< writes the file instead of failing
+  std::string junit;     ///< file; empty: none
+  bool json = false;
+};
+int bench_counters(const BenchCountersOptions& options);
+
+struct BenchInstructionsOptions {
+  std::vector<std::string> benchmarks;  ///< names or globs; empty: all
+  std::string base;       ///< revision or build folder; empty: the commit before the new build
+  std::string new_build;  ///< the same; empty: the folder of this program
+  bool own_only = false;  ///< leaves out what is mostly another library's work
+  int threads = 0;        ///< processes at a time; 0: as many as processors
+  bool simulate_cache = false;
+  bool allow_no_base = false;  ///< nothing to compare with is a pass
+  std::string accepted;  ///< TOML file; empty: benchmarks/baselines/accepted_instructions.toml
+  std::string history;   ///< SQLite file with earlier counts; empty: none
+  std::string junit;     ///< file; empty: none
+  std::string markdown;  ///< file; empty: none
+  bool json = false;
+};
+int bench_instructions(const BenchInstructionsOptions& options);
+
+struct BenchMeasureOptions {
+  std::vector<std::string> benchmarks;  ///< names or globs; empty: all
+  std::string side;    ///< revision, build folder or plugin; empty: the build of this program
+  int processes = 12;  ///< one repetition each
+  int samples = 5;     ///< of each benchmark in each process
+  double sample_ms = 10.0;
+  std::uint64_t seed = 0;
+  std::string out;  ///< JSON file; empty: none
+  bool json = false;
+};
+int bench_measure(const BenchMeasureOptions& options);
+
+struct CompareOptions {
+  std::string base;   ///< revision, build folder, plugin (.so) or stored result (.json)
+  std::string other;  ///< the same
+  std::vector<std::string> benchmarks;      ///< names or globs; empty: all
+  std::optional<double> tolerance_percent;  ///< unset: 3, and 10 with a stored result
+  double budget_s = 300.0;                  ///< of the timing
+  int least_blocks = 8;                     ///< more where so many benchmarks need it
+  int most_blocks = 60;                     ///< at least as many as the least
+  int samples = 5;                          ///< of each benchmark in each process
+  double sample_ms = 10.0;
+  std::uint64_t seed = 0;
+  std::string out;           ///< JSON file; empty: none
+  std::string markdown;      ///< file; empty: none
+  std::string junit;         ///< file; empty: none
+  std::string cache;         ///< folder for builds of revisions; empty: build/compare
+  bool time_anyway = false;  ///< even if both programs are the same
+  bool strict = false;
+  bool json = false;
+  std::string command_line;
+};
+int compare(const CompareOptions& options);
+
+struct SelftestOptions {
+  int repetitions = 40;  ///< of equal sides; a quarter as many, rounded up, with a known loss
+  std::uint64_t seed = 0;
+  bool strict = false;
+  bool json = false;
+  std::string command_line;
+};
+int selftest(const SelftestOptions& options);
+
+struct HistoryOptions {
+  std::string action = "list";     ///< list, show, plot, append, save, compare
+  std::vector<std::string> names;  ///< a benchmark, files, or names of baselines
+  std::string quantity;            ///< counter:NAME, instructions, ratio; empty: all there are
+  std::string file = "build/history.sqlite";
+  std::string out;  ///< .svg of a plot; empty: none
+  bool json = false;
+  std::string command_line;
+};
+int history(const HistoryOptions& options);
 
 struct DoctorOptions {
   bool json = false;

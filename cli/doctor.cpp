@@ -44,6 +44,7 @@ constexpr Tool tools[] = {{"g++", "building"},
                           {"git", "naming the commit a result comes from"},
                           {"ccache", "building again quickly"},
                           {"gnuplot", "plots in the report"},
+                          {"valgrind", "counting instructions (bench instructions)"},
                           {"clang-format", "the formatting part of the tidy test"}};
 
 /// How far the slowest of 40 equal pieces of work is from the fastest, and the median from the

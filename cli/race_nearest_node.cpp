@@ -11,6 +11,7 @@
 #include "cli/option_values.hpp"
 #include "cli/race_approximate.hpp"
 #include "cli/race_numbers.hpp"
+#include "cli/race_plugins.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
 #include "core/memory/keep_freed_memory.hpp"
@@ -137,7 +138,42 @@ ordered_json workload_json(const Workload& workload, const RaceResult& result) {
        {{"association_pairs", result.floor.association}, {"removal_pairs", result.floor.removal}}}};
 }
 
-ordered_json entry_json(const RaceEntry& entry, const RaceResult& result) {
+void put_work(ordered_json& json, const RaceEntry& entry, const PairFloor& least) {
+  json["distance_evaluations"] = evaluations(entry);
+  const std::uint64_t floor = least.association + least.removal;
+  if (floor > 0)
+    json["evaluations_over_floor"] =
+        static_cast<double>(evaluations(entry)) / static_cast<double>(floor);
+  json["work"] = {{"search_evaluations", entry.work.search_evaluations},
+                  {"kill_evaluations", entry.work.kill_evaluations},
+                  {"cells_visited", entry.work.cells_visited},
+                  {"index_updates", entry.work.index_updates},
+                  {"queries", entry.work.queries}};
+}
+
+/// A plugin that failed its trial: no lane, and so no option and no threads.
+ordered_json failed_json(const TriedPlugin& plugin) {
+  ordered_json json{{"name", plugin.verdict.engine},
+                    {"options", nullptr},
+                    {"threads", nullptr},
+                    {"state", "failed trial"},
+                    {"built", true},
+                    {"exact", nullptr},
+                    {"tree_hash", nullptr},
+                    {"median_s", nullptr},
+                    {"ci95_s", nullptr},
+                    {"distance_evaluations", nullptr},
+                    {"bytes_per_point", nullptr},
+                    {"phases", nullptr}};
+  if (plugin.verdict.engine.empty()) json["name"] = nullptr;  // it ended before it told
+  if (plugin.verdict.kind == PluginVerdict::Kind::wrong) json["exact"] = false;
+  put_plugin(json, plugin);
+  return json;
+}
+
+/// `plugin` is null for engines of the program. What a plugin computes is not known.
+ordered_json entry_json(const RaceEntry& entry, const RaceResult& result,
+                        const TriedPlugin* plugin) {
   ordered_json json{{"name", entry.engine->name},
                     {"options", entry.option},
                     {"threads", entry.threads},
@@ -150,6 +186,7 @@ ordered_json entry_json(const RaceEntry& entry, const RaceResult& result) {
                     {"distance_evaluations", nullptr},
                     {"bytes_per_point", nullptr},
                     {"phases", nullptr}};
+  if (plugin != nullptr) put_plugin(json, *plugin);
   if (entry.predicted_s > 0.0) json["predicted_s"] = entry.predicted_s;
   if (entry.state == State::not_built) json["missing_package"] = entry.engine->missing_package;
   if (entry.state == State::inexact) {
@@ -160,17 +197,8 @@ ordered_json entry_json(const RaceEntry& entry, const RaceResult& result) {
   json["exact"] = true;
   json["tree_hash"] = entry.tree_hash;
   put_seconds(json, total_of(entry));
-  json["distance_evaluations"] = evaluations(entry);
-  const std::uint64_t floor = result.floor.association + result.floor.removal;
-  if (floor > 0)
-    json["evaluations_over_floor"] =
-        static_cast<double>(evaluations(entry)) / static_cast<double>(floor);
   if (entry.bytes_per_point >= 0.0) json["bytes_per_point"] = entry.bytes_per_point;
-  json["work"] = {{"search_evaluations", entry.work.search_evaluations},
-                  {"kill_evaluations", entry.work.kill_evaluations},
-                  {"cells_visited", entry.work.cells_visited},
-                  {"index_updates", entry.work.index_updates},
-                  {"queries", entry.work.queries}};
+  if (plugin == nullptr) put_work(json, entry, result.floor);
   json["phases"] = {{"build_s", median_reset(entry)},
                     {"search_s", median_of(entry, &PhaseSeconds::association)},
                     {"kill_s", median_of(entry, &PhaseSeconds::kill)},
@@ -204,13 +232,16 @@ std::vector<ApproximateEntry> race_approximate(const NearestNodeRaceOptions& opt
 
 ordered_json document(const Workload& workload, const RaceResult& result,
                       const std::vector<ApproximateEntry>& approximate,
-                      const NearestNodeRaceOptions& options) {
+                      const NearestNodeRaceOptions& options,
+                      const std::vector<TriedPlugin>& plugins) {
   ordered_json json;
   json["schema"] = "phytobench/race-1";
   json["workload"] = workload_json(workload, result);
   json["engines"] = ordered_json::array();
   for (const RaceEntry& entry : result.entries)
-    json["engines"].push_back(entry_json(entry, result));
+    json["engines"].push_back(entry_json(entry, result, exact_plugin(plugins, entry.engine->name)));
+  for (const TriedPlugin& plugin : plugins)
+    if (!plugin.verdict.is_exact()) json["engines"].push_back(failed_json(plugin));
   json["ratios"] = ordered_json::array();
   const auto ranked = ranking(result);
   for (std::size_t i = 1; i < ranked.size(); ++i)
@@ -223,17 +254,24 @@ ordered_json document(const Workload& workload, const RaceResult& result,
   return json;
 }
 
-std::string timed_line(const RaceEntry& entry, const RaceEntry& fastest, const RaceResult& result) {
+/// Pairs looked at, as a multiple of those that must be; "?" for a plugin, which does not count.
+std::string pairs_in_words(const RaceEntry& entry, const PairFloor& least, bool is_counted) {
+  if (!is_counted) return "?";
+  const auto floor = static_cast<double>(least.association + least.removal);
+  return fmt::format("{:.3g}", floor > 0.0 ? static_cast<double>(evaluations(entry)) / floor : 0.0);
+}
+
+std::string timed_line(const RaceEntry& entry, const RaceEntry& fastest, const RaceResult& result,
+                       const std::vector<TriedPlugin>& plugins) {
   const MedianOfRounds total = total_of(entry), ratio = ratio_of(entry, fastest);
-  const double floor = static_cast<double>(result.floor.association + result.floor.removal);
   return fmt::format(
-      "{:<29} {:>10}  {:>10} - {:>10}  {:>8.1f}x  {:>10} {:>10} {:>10} {:>10}  {:>9.3g} {:>7}\n",
+      "{:<29} {:>10}  {:>10} - {:>10}  {:>8.1f}x  {:>10} {:>10} {:>10} {:>10}  {:>9} {:>7}\n",
       entry.name(), with_unit(total.value), with_unit(total.low), with_unit(total.high),
       ratio.value, with_unit(median_reset(entry)),
       with_unit(median_of(entry, &PhaseSeconds::association)),
       with_unit(median_of(entry, &PhaseSeconds::kill)),
       with_unit(median_of(entry, &PhaseSeconds::growth)),
-      floor > 0.0 ? static_cast<double>(evaluations(entry)) / floor : 0.0,
+      pairs_in_words(entry, result.floor, exact_plugin(plugins, entry.engine->name) == nullptr),
       entry.bytes_per_point < 0.0 ? "?" : fmt::format("{:.1f}", entry.bytes_per_point));
 }
 
@@ -253,7 +291,8 @@ std::string other_line(const RaceEntry& entry) {
   return {};
 }
 
-std::string table(const Workload& workload, const RaceResult& result) {
+std::string table(const Workload& workload, const RaceResult& result,
+                  const std::vector<TriedPlugin>& plugins) {
   std::string text = fmt::format(
       "{}: {} points, {} iterations, {} nodes\njudged by the {}; pairs that must be "
       "looked at: {} to associate, {} to remove\n\n",
@@ -266,19 +305,21 @@ std::string table(const Workload& workload, const RaceResult& result) {
         "{:<29} {:>10}  {:>10} - {:>10}  {:>9}  {:>10} {:>10} {:>10} {:>10}  {:>9} {:>7}\n",
         "engine, option", "median", ends.from, "to", "fastest", "build", "search", "kill", "growth",
         "pairs/min", "B/point");
-  for (const RaceEntry* entry : ranked) text += timed_line(*entry, *ranked.front(), result);
+  for (const RaceEntry* entry : ranked)
+    text += timed_line(*entry, *ranked.front(), result, plugins);
   for (const RaceEntry& entry : result.entries) text += other_line(entry);
-  return text + ends.note;
+  return text + failed_lines(plugins) + ends.note;
 }
 
-}  // namespace
-
-int race_nearest_node(const NearestNodeRaceOptions& options) {
+/// Races and fills `text` with what is to be printed; returns the exit code.
+int race_into(std::string& text, const NearestNodeRaceOptions& options,
+              const std::vector<TriedPlugin>& plugins, PluginPulse& pulse) {
   keep_freed_memory();
-  const auto engines = chosen_engines(options.engines);
+  auto engines = chosen_engines(options.engines);
   const auto loop_options = chosen_options(options.options);
   const Workload workload = chosen_workload(options);
-  catch_interrupts();
+  const auto loaded = load_exact(plugins, pulse);
+  for (const auto& plugin : loaded) engines.push_back(&plugin->descriptor());
   const RaceResult result =
       phytobench::race({.workload = &workload,
                         .contestants = combinations(engines, loop_options, options.threads),
@@ -288,11 +329,36 @@ int race_nearest_node(const NearestNodeRaceOptions& options) {
                         .show_progress = show_progress,
                         .is_interrupted = is_interrupted});
   const auto approximate = race_approximate(options, workload, result);
-  print(options.json ? document(workload, result, approximate, options).dump(2) + "\n"
-                     : table(workload, result) + approximate_table(approximate));
+  text = options.json ? document(workload, result, approximate, options, plugins).dump(2) + "\n"
+                      : table(workload, result, plugins) + approximate_table(approximate);
   const bool wrong = std::any_of(result.entries.begin(), result.entries.end(),
                                  [](const RaceEntry& e) { return e.state == State::inexact; });
-  return wrong ? 1 : 0;
+  return wrong || !all_exact(plugins) ? 1 : 0;
+}
+
+/// Everything that could start a thread happens in the child.
+int race_with_plugins(const NearestNodeRaceOptions& options) {
+  const SupervisionLimits limits{.silence_s = options.plugin_limit,
+                                 .is_interrupted = is_interrupted};
+  const auto plugins = try_plugins(options.plugins, limits);
+  if (!options.json) print(verdict_lines(plugins) + "\n");
+  return run_with_plugins(plugins, limits, [&](PluginPulse& pulse, std::string& text) {
+    return race_into(text, options, plugins, pulse);
+  });
+}
+
+}  // namespace
+
+int race_nearest_node(const NearestNodeRaceOptions& options) {
+  chosen_engines(options.engines);  // refuse what is unknown before anything takes time
+  chosen_options(options.options);
+  catch_interrupts();
+  if (!options.plugins.empty()) return race_with_plugins(options);
+  PluginPulse unused;
+  std::string text;
+  const int code = race_into(text, options, {}, unused);
+  print(text);
+  return code;
 }
 
 }  // namespace phytobench::cli

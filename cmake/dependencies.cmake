@@ -9,6 +9,7 @@ find_package(tomlplusplus 3.3 REQUIRED)
 find_package(hwy 1.0 REQUIRED)
 find_package(GTest 1.12 REQUIRED)
 find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto)
+find_package(SQLite3 3.40 REQUIRED)
 find_package(benchmark 1.7)
 
 # Peers of the nearest-node engines. Whatever is missing shows as "not built".
@@ -45,5 +46,6 @@ find_package(LibXml2 2.9 QUIET)
 
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  # Paths below the sources count from there, so that another copy of them need not be compiled again.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${CCACHE})
 endif()

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/experiment_registry.hpp"
 
-#include <fnmatch.h>
-
-#include <algorithm>
 #include <array>
 
-#include "core/contract/errors.hpp"
-#include "core/contract/suggestion.hpp"
+#include "core/contract/name_selection.hpp"
 
 namespace phytobench {
 
@@ -28,20 +24,6 @@ constexpr auto table = std::to_array<const ExperimentDescriptor*>({
 #undef EXPERIMENT
 });
 
-bool matches(const std::string& pattern, const ExperimentDescriptor& experiment) {
-  return ::fnmatch(pattern.c_str(), std::string(experiment.id).c_str(), 0) == 0;
-}
-
-[[noreturn]] void fail_to_match(const std::string& pattern) {
-  if (pattern.find_first_of("*?[") != std::string::npos)
-    throw NothingSelected("no experiment matches '" + pattern +
-                          "'; see phytobench list experiments");
-  std::vector<std::string> ids;
-  for (const ExperimentDescriptor* experiment : table) ids.emplace_back(experiment->id);
-  throw InputError("unknown experiment '" + pattern + "'" + did_you_mean(pattern, ids) +
-                   " (phytobench list experiments)");
-}
-
 }  // namespace
 
 std::span<const ExperimentDescriptor* const> all_experiments() {
@@ -50,16 +32,12 @@ std::span<const ExperimentDescriptor* const> all_experiments() {
 
 std::vector<const ExperimentDescriptor*> selected_experiments(
     const std::vector<std::string>& patterns) {
+  std::vector<std::string> ids;
+  for (const ExperimentDescriptor* experiment : table) ids.emplace_back(experiment->id);
   std::vector<const ExperimentDescriptor*> selected;
-  for (const std::string& pattern : patterns)
-    if (std::none_of(table.begin(), table.end(),
-                     [&](const auto* e) { return matches(pattern, *e); }))
-      fail_to_match(pattern);
-  for (const ExperimentDescriptor* experiment : table)
-    if (patterns.empty() ||
-        std::any_of(patterns.begin(), patterns.end(),
-                    [&](const std::string& pattern) { return matches(pattern, *experiment); }))
-      selected.push_back(experiment);
+  for (const std::size_t i :
+       selected_names(ids, patterns, {"experiment", "phytobench list experiments"}))
+    selected.push_back(table[i]);
   return selected;
 }
 

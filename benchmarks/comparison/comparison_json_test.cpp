@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "benchmarks/comparison/comparison_json.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "benchmarks/comparison/example_report.hpp"
+#include "core/contract/errors.hpp"
+
+namespace phytobench {
+namespace {
+
+using nlohmann::json;
+
+TEST(ComparisonJson, HoldsEveryBlockWithAllItsSamples) {
+  const ComparisonReport report = example_report();
+  const json document = json::parse(comparison_json(report));
+  EXPECT_EQ(document["schema"], "phytobench/comparison-1");
+  ASSERT_EQ(document["benchmarks"].size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const json& benchmark = document["benchmarks"][i];
+    const MeasuredBenchmark& measured = report.timing.measured.benchmarks[i];
+    EXPECT_EQ(benchmark["name"], measured.name);
+    EXPECT_EQ(benchmark["verdict"], std::string(name_of(report.concluded[i].verdict)));
+    ASSERT_EQ(benchmark["blocks"].size(), measured.blocks.size());
+    ASSERT_EQ(benchmark["control_blocks"].size(), measured.control.size());
+    for (std::size_t b = 0; b < measured.blocks.size(); ++b) {
+      const json& block = benchmark["blocks"][b];
+      EXPECT_EQ(block["block"], b);
+      EXPECT_EQ(block["new_s"].get<std::vector<double>>(), measured.blocks[b].other);
+      EXPECT_EQ(block["log_ratio"], measured.blocks[b].log_ratio());
+      ASSERT_EQ(block["processes"].size(), 4u);
+      EXPECT_EQ(block["processes"][0]["side"], block["order"] == "ABBA" ? "base" : "new");
+      EXPECT_EQ(block["processes"][0]["samples"], json::parse("[[10, 0.01, 0.011]]"));
+      EXPECT_EQ(benchmark["control_blocks"][b]["processes"][0]["side"], "base");
+    }
+  }
+}
+
+TEST(ComparisonJson, SaysWhatWasNotMeasured) {
+  const json document = json::parse(comparison_json(example_report()));
+  const json& wrong = document["benchmarks"][4];
+  EXPECT_EQ(wrong["verdict"], "wrong answer");
+  EXPECT_TRUE(wrong["ratio"].is_null());
+  EXPECT_TRUE(wrong["iterations"].is_null());
+  EXPECT_EQ(wrong["objection"], "because of this");
+  EXPECT_TRUE(document["environment"].is_null());
+  EXPECT_EQ(document["counts"]["wrong_answer"], 1);
+  EXPECT_EQ(document["counts"]["same_binary"], 0);
+  EXPECT_EQ(document["base"]["commit"], "1a2b3c4d5e6f");
+  EXPECT_EQ(document["new"]["changed"], true);
+}
+
+TEST(ComparisonJson, SurvivesNamesThatAreNoText) {
+  ComparisonReport report = example_report();
+  report.concluded[0].reason = "half \xc3";
+  EXPECT_TRUE(json::accept(comparison_json(report)));
+}
+
+TEST(ComparisonJson, NeedsAVerdictForEachBenchmark) {
+  ComparisonReport report = example_report();
+  report.concluded.pop_back();
+  EXPECT_THROW(comparison_json(report), ContractViolation);
+}
+
+}  // namespace
+}  // namespace phytobench

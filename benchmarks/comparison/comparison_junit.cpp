@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "benchmarks/comparison/comparison_junit.hpp"
+
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "benchmarks/comparison/gate_junit.hpp"
+
+namespace phytobench {
+
+namespace {
+
+GateOutcome outcome_of(SpeedVerdict verdict) {
+  switch (verdict) {
+    case SpeedVerdict::slower:
+    case SpeedVerdict::wrong_answer:
+    case SpeedVerdict::nothing_measured:
+      return GateOutcome::failed;
+    case SpeedVerdict::inconclusive:
+      return GateOutcome::skipped;
+    case SpeedVerdict::faster:
+    case SpeedVerdict::same:
+    case SpeedVerdict::same_binary:
+      return GateOutcome::passed;
+  }
+  return GateOutcome::failed;
+}
+
+}  // namespace
+
+std::string comparison_junit(const ComparisonReport& report) {
+  std::vector<GateCase> cases;
+  for (const ConcludedBenchmark& benchmark : report.concluded)
+    cases.push_back(
+        {.name = benchmark.name,
+         .outcome = outcome_of(benchmark.verdict),
+         .message = fmt::format("{}: {}", name_of(benchmark.verdict), benchmark.reason)});
+  return gate_junit("compare", cases);
+}
+
+}  // namespace phytobench

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "benchmarks/comparison/comparison_junit.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <libxml/parser.h>
+#include <libxml/tree.h>
+
+#include "benchmarks/comparison/example_report.hpp"
+
+namespace phytobench {
+namespace {
+
+using Document = std::unique_ptr<xmlDoc, decltype(&xmlFreeDoc)>;
+
+/// Null for a text that is not well-formed.
+Document parsed(const std::string& xml) {
+  return {xmlReadMemory(xml.data(), static_cast<int>(xml.size()), "junit.xml", nullptr,
+                        XML_PARSE_NOERROR | XML_PARSE_NOWARNING | XML_PARSE_NONET),
+          xmlFreeDoc};
+}
+
+std::string attribute(const xmlNode* node, const char* name) {
+  const std::unique_ptr<xmlChar, void (*)(xmlChar*)> value(
+      xmlGetProp(node, reinterpret_cast<const xmlChar*>(name)),
+      [](xmlChar* text) { xmlFree(text); });
+  return value ? reinterpret_cast<const char*>(value.get()) : "(none)";
+}
+
+/// By the names of test cases, the first element within: failure, skipped or system-out.
+std::map<std::string, std::string> outcomes(const xmlNode* node) {
+  std::map<std::string, std::string> found;
+  for (const xmlNode* child = node->children; child != nullptr; child = child->next) {
+    if (child->type != XML_ELEMENT_NODE) continue;
+    found.merge(outcomes(child));
+    if (std::string(reinterpret_cast<const char*>(child->name)) != "testcase") continue;
+    std::string& outcome = found[attribute(child, "name")];
+    for (const xmlNode* within = child->children; within != nullptr; within = within->next)
+      if (within->type == XML_ELEMENT_NODE && outcome.empty())
+        outcome = reinterpret_cast<const char*>(within->name);
+  }
+  return found;
+}
+
+TEST(ComparisonJunit, FailsWhatIsSlowerWrongOrNotMeasured) {
+  const Document document = parsed(comparison_junit(example_report()));
+  ASSERT_TRUE(document);
+  const xmlNode* root = xmlDocGetRootElement(document.get());
+  EXPECT_EQ(attribute(root, "tests"), "6");
+  EXPECT_EQ(attribute(root, "failures"), "3");
+  EXPECT_EQ(attribute(root, "skipped"), "1");
+  const auto found = outcomes(root);
+  ASSERT_EQ(found.size(), 6u);
+  for (const char* name : {"engine/slower", "engine/wrong", "engine/absent"})
+    EXPECT_EQ(found.at(name), "failure") << name;
+  EXPECT_EQ(found.at("engine/noisy"), "skipped");
+  EXPECT_NE(found.at("engine/same"), "failure");
+  EXPECT_NE(found.at("engine/faster"), "failure");
+}
+
+TEST(ComparisonJunit, IsWellFormedWhateverTheReason) {
+  ComparisonReport report = example_report();
+  for (ConcludedBenchmark& concluded : report.concluded)
+    concluded.reason = "a < b && \"c\" ]]> \x01\n";
+  EXPECT_TRUE(parsed(comparison_junit(report)));
+  EXPECT_FALSE(parsed("<a>" + comparison_junit(report))) << "the parser sees faults";
+}
+
+}  // namespace
+}  // namespace phytobench

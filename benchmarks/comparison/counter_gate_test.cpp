@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "benchmarks/comparison/counter_gate.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/contract/errors.hpp"
+
+namespace phytobench {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+const std::string some_inputs(64, 'a');
+const std::string other_inputs(64, 'b');
+
+CounterBaseline two_benchmarks() {
+  return {{"overlap/sweep/equal", {some_inputs, {{"pairs", 12}, {"tests", 1234567}}}},
+          {"nearest-node/voxel_grid/dn", {other_inputs, {{"search_evaluations", 1000}}}}};
+}
+
+std::vector<std::string> lines(const CounterBaseline& before, const CounterBaseline& after) {
+  std::vector<std::string> texts;
+  for (const CounterChange& change : counter_changes(before, after))
+    texts.push_back(text_of(change));
+  return texts;
+}
+
+void expect_refused(const std::string& text, const std::string& problem) {
+  try {
+    counter_baseline_from(text, "counters.json");
+    ADD_FAILURE() << "accepted: " << text;
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), StartsWith("counters.json: "));
+    EXPECT_THAT(error.what(), HasSubstr(problem));
+  }
+}
+
+/// The file of two_benchmarks() with one place of it replaced.
+std::string damaged(const std::string& place, const std::string& by) {
+  std::string text = to_json(two_benchmarks());
+  const std::size_t found = text.find(place);
+  EXPECT_NE(found, std::string::npos) << place;
+  if (found != std::string::npos) text.replace(found, place.size(), by);
+  return text;
+}
+
+TEST(CounterGate, EqualCountersAreNoChange) {
+  EXPECT_THAT(counter_changes(two_benchmarks(), two_benchmarks()), IsEmpty());
+  EXPECT_THAT(counter_changes({}, {}), IsEmpty());
+}
+
+TEST(CounterGate, OneMoreOfAMillionIsAChange) {
+  CounterBaseline after = two_benchmarks();
+  ++after["overlap/sweep/equal"].counters["tests"];
+  EXPECT_THAT(lines(two_benchmarks(), after),
+              ElementsAre("overlap/sweep/equal tests 1,234,567 -> 1,234,568 (+8e-05 %)"));
+}
+
+TEST(CounterGate, FewerIsAChangeToo) {
+  CounterBaseline after = two_benchmarks();
+  after["nearest-node/voxel_grid/dn"].counters["search_evaluations"] = 950;
+  EXPECT_THAT(lines(two_benchmarks(), after),
+              ElementsAre("nearest-node/voxel_grid/dn search_evaluations 1,000 -> 950 (-5.0 %)"));
+}
+
+TEST(CounterGate, SaysWhatAppearedAndWhatIsGone) {
+  CounterBaseline after = two_benchmarks();
+  after.erase("nearest-node/voxel_grid/dn");
+  after["new/one"] = {some_inputs, {{"x", 1}}};
+  WorkCounts& counters = after["overlap/sweep/equal"].counters;
+  counters.erase("pairs");
+  counters["areas"] = 0;
+  EXPECT_THAT(lines(two_benchmarks(), after),
+              ElementsAre("nearest-node/voxel_grid/dn is gone", "new/one is new",
+                          "overlap/sweep/equal areas is new: 0",
+                          "overlap/sweep/equal pairs is gone; it was 12"));
+}
+
+TEST(CounterGate, OtherInputsAreAChangeEvenWithEqualCounters) {
+  CounterBaseline after = two_benchmarks();
+  after["overlap/sweep/equal"].inputs = other_inputs;
+  EXPECT_THAT(lines(two_benchmarks(), after), ElementsAre(HasSubstr("has other inputs")));
+}
+
+TEST(CounterGate, FromNothingHasNoPercentage) {
+  const CounterBaseline before = {{"a", {some_inputs, {{"copies", 0}}}}};
+  const CounterBaseline after = {{"a", {some_inputs, {{"copies", 7}}}}};
+  EXPECT_THAT(lines(before, after), ElementsAre("a copies 0 -> 7 (there was none)"));
+}
+
+TEST(CounterGate, GroupsDigits) {
+  EXPECT_EQ(with_thousands(0), "0");
+  EXPECT_EQ(with_thousands(999), "999");
+  EXPECT_EQ(with_thousands(1000), "1,000");
+  EXPECT_EQ(with_thousands(18446744073709551615u), "18,446,744,073,709,551,615");
+}
+
+TEST(CounterGate, AWrongAnswerIsNotCounted) {
+  const VerifiedBenchmark right{
+      .name = "a", .inputs = some_inputs, .answer = "", .objection = "", .work = {{"x", 1}}};
+  EXPECT_EQ(counted({right}, "worker"), (CounterBaseline{{"a", {some_inputs, {{"x", 1}}}}}));
+  VerifiedBenchmark wrong = right;
+  wrong.objection = "node 3 instead of 2";
+  EXPECT_THAT(wrong_answers({right, wrong}), ElementsAre("a: node 3 instead of 2"));
+  EXPECT_THROW(counted({wrong}, "worker"), ContractViolation);
+  VerifiedBenchmark idle = right;
+  idle.work.clear();
+  EXPECT_THROW(counted({idle}, "worker"), InputError);
+  EXPECT_THROW(counted({right, right}, "worker"), InputError);
+}
+
+TEST(CounterFile, IsReadAsItWasWritten) {
+  EXPECT_EQ(counter_baseline_from(to_json(two_benchmarks()), "f"), two_benchmarks());
+  EXPECT_EQ(counter_baseline_from(to_json(CounterBaseline{}), "f"), CounterBaseline{});
+  const CounterBaseline largest = {{"a", {some_inputs, {{"x", 18446744073709551615u}}}}};
+  EXPECT_EQ(counter_baseline_from(to_json(largest), "f"), largest);
+}
+
+TEST(CounterFile, IsSortedWithOneCounterALine) {
+  EXPECT_EQ(to_json(two_benchmarks()),
+            "{\n  \"schema\": \"phytobench/counters-1\",\n  \"benchmarks\": {\n"
+            "    \"nearest-node/voxel_grid/dn\": {\n      \"inputs\": \"" +
+                other_inputs +
+                "\",\n      \"counters\": {\n        \"search_evaluations\": 1000\n      }\n"
+                "    },\n    \"overlap/sweep/equal\": {\n      \"inputs\": \"" +
+                some_inputs +
+                "\",\n      \"counters\": {\n        \"pairs\": 12,\n        \"tests\": 1234567\n"
+                "      }\n    }\n  }\n}\n");
+}
+
+TEST(CounterFile, DamageIsNamed) {
+  expect_refused("", "is not JSON");
+  expect_refused("[]", "schema");
+  expect_refused("{}", "schema");
+  expect_refused(R"({"schema": "phytobench/counters-1"})", "benchmarks");
+  expect_refused(damaged("counters-1", "counters-2"), "schema");
+  expect_refused(damaged("1234567", "-1"), "tests of 'overlap/sweep/equal'");
+  expect_refused(damaged("1234567", "1.5"), "no whole number");
+  expect_refused(damaged("1234567", "\"7\""), "no whole number");
+  expect_refused(damaged(some_inputs, "abc"), "inputs");
+  expect_refused(damaged("\"counters\"", "\"counter\""), "has no \"counters\"");
+  expect_refused(to_json(two_benchmarks()).substr(0, 100), "breaks off");
+}
+
+TEST(CounterFile, WhatAMergeLeftTwiceIsRefused) {
+  expect_refused(damaged("\"pairs\": 12,", "\"pairs\": 11,\n        \"pairs\": 12,"), "twice");
+  expect_refused(to_json(two_benchmarks()) + "\n", "as the program writes it");
+}
+
+}  // namespace
+}  // namespace phytobench

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "benchmarks/regression/worker_protocol.hpp"
+
+namespace phytobench {
+
+/// Runs a benchmark twice; the second run is what callgrind counts, if it was started with
+/// --instr-atstart=no. Throws EnvironmentError where the program was built without callgrind's
+/// header. The answer is told, but not judged.
+VerifiedBenchmark run_in_callgrind_region(const WatchedBenchmark& benchmark);
+
+}  // namespace phytobench

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// Options of races. Only files of this folder and main.cpp include the command-line library: its
+// header is the dearest of all.
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command_line/command_line.hpp"
+#include "core/contract/errors.hpp"
+#include "core/contract/suggestion.hpp"
+
+namespace phytobench::cli {
+
+namespace {
+
+void add_nearest_node_race(CLI::App& race, Commands& commands) {
+  NearestNodeRaceOptions& options = commands.nearest_node_race;
+  CLI::App* sub = race.add_subcommand("nearest-node", "Engines that find nearest nodes of points");
+  sub->add_option("--points", options.points, "Attraction points of the scaled test tree, about")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 2e8));
+  sub->add_option("--iterations", options.iterations, "Iterations; 0: as the size asks for")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1000000));
+  sub->add_option("--engines", options.engines, "all, or names; comma-separated")
+      ->delimiter(',')
+      ->capture_default_str();
+  sub->add_option("--options", options.options, "Loop options S, D, N, DN; comma-separated")
+      ->delimiter(',')
+      ->capture_default_str();
+  sub->add_option("--threads", options.threads,
+                  "Threads of engines and growth; several are raced against each other")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  sub->add_option("--density", options.density, "Points per unit volume; 0: that of the test tree")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e9));
+  sub->add_option("--budget", options.budget,
+                  "Seconds for one growth; what is predicted to take longer is skipped")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 1e6));
+  sub->add_option("--rounds", options.rounds, "Timed rounds; 0: what fits into a minute, 3 to 25")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1000));
+  sub->add_option("--seed", options.seed, "Of the cloud and the order of timing")
+      ->capture_default_str()
+      ->check(whole_number);
+  sub->add_option("--cloud", options.cloud, "CSV file with your own points: columns x, y, z");
+  sub->add_option("--plugin", options.plugins,
+                  "Engines from outside: shared libraries (phytobench_engine.h); comma-separated")
+      ->delimiter(',');
+  sub->add_option("--plugin-limit", options.plugin_limit,
+                  "Seconds that a single call of a plugin may take")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 1e6));
+  sub->add_flag("--json", options.json, "One JSON document");
+  sub->callback(
+      [&] { commands.chosen = [&] { return race_nearest_node(commands.nearest_node_race); }; });
+}
+
+void add_overlap_race(CLI::App& race, Commands& commands) {
+  OverlapRaceOptions& options = commands.overlap_race;
+  CLI::App* sub = race.add_subcommand("overlap", "Engines that find overlapping discs");
+  sub->add_option("--size", options.size, "Random discs")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 2e8));
+  sub->add_option("--sizes", options.sizes,
+                  "Of the discs: equal, uniform (1 to 3), mixed (1 to 1000)")
+      ->capture_default_str();
+  sub->add_option("--partners", options.partners, "Discs that one overlaps, on average")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e4));
+  sub->add_flag("--torus", options.torus, "Join opposite sides of the ground");
+  sub->add_option("--engines", options.engines, "all, or names; comma-separated")
+      ->delimiter(',')
+      ->capture_default_str();
+  sub->add_option("--threads", options.threads,
+                  "Threads of engines that use them; several are raced against each other")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  sub->add_option("--budget", options.budget,
+                  "Seconds for one search; what is predicted to take longer is skipped")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 1e6));
+  sub->add_option("--rounds", options.rounds, "Timed rounds; 0: what fits into a minute, 3 to 25")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1000));
+  sub->add_option("--seed", options.seed, "Of the discs and the order of timing")
+      ->capture_default_str()
+      ->check(whole_number);
+  sub->add_option("--discs", options.discs, "CSV file with your own discs: columns x, y, r");
+  sub->add_option("--window", options.window, "x0,y0,x1,y1 of the torus on which these lie");
+  sub->add_flag("--json", options.json, "One JSON document");
+  sub->callback([&] { commands.chosen = [&] { return race_overlap(commands.overlap_race); }; });
+}
+
+void add_hopkins_race(CLI::App& race, Commands& commands) {
+  HopkinsRaceOptions& options = commands.hopkins_race;
+  CLI::App* sub = race.add_subcommand("hopkins", "Ways to the Hopkins index: exact and sampled");
+  sub->add_option("--size", options.size, "Points, about")
+      ->capture_default_str()
+      ->check(CLI::Range(2.0, 1e8));
+  sub->add_option("--pattern", options.pattern, "random or clustered")->capture_default_str();
+  sub->add_option("--threads", options.threads, "Also with so many")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  sub->add_option("--rounds", options.rounds, "Timed rounds")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  sub->add_option("--seed", options.seed, "Of points, places and the order of timing")
+      ->capture_default_str()
+      ->check(whole_number);
+  sub->add_flag("--json", options.json, "One JSON document");
+  sub->callback([&] { commands.chosen = [&] { return race_hopkins(commands.hopkins_race); }; });
+}
+
+void add_competition_race(CLI::App& race, Commands& commands) {
+  CompetitionRaceOptions& options = commands.competition_race;
+  CLI::App* sub = race.add_subcommand("competition", "Rules of competition: one step of a stand");
+  sub->add_option("--plants", options.plants, "How many; several sizes give the growth of time")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->check(CLI::Range(2.0, 2e7));
+  sub->add_option("--pairs", options.pairs, "Overlapping pairs of root zones for each plant")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 100.0));
+  sub->add_option("--rules", options.rules, "all, or names; comma-separated")
+      ->delimiter(',')
+      ->capture_default_str();
+  sub->add_option("--threads", options.threads, "Several are raced against each other")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  sub->add_option("--rounds", options.rounds, "Timed rounds")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  sub->add_option("--seed", options.seed, "Of the plants and the order of timing")
+      ->capture_default_str()
+      ->check(whole_number);
+  sub->add_flag("--json", options.json, "One JSON document");
+  sub->callback(
+      [&] { commands.chosen = [&] { return race_competition(commands.competition_race); }; });
+}
+
+}  // namespace
+
+void add_race(CLI::App& app, Commands& commands) {
+  CLI::App* sub = app.add_subcommand("race", "Prove engines exact, then time them in turns");
+  sub->require_subcommand(1);
+  add_nearest_node_race(*sub, commands);
+  add_overlap_race(*sub, commands);
+  add_hopkins_race(*sub, commands);
+  add_competition_race(*sub, commands);
+}
+
+void refuse_unknown_race(int argc, char** argv) {
+  const std::vector<std::string> names = {"nearest-node", "overlap", "hopkins", "competition"};
+  if (argc < 2 || std::string(argv[1]) != "race") return;
+  const std::string what = argc < 3 ? "" : argv[2];
+  if (what == "--help" || what == "-h" ||
+      std::find(names.begin(), names.end(), what) != names.end())
+    return;
+  throw InputError(
+      "cannot race '" + what + "'" + did_you_mean(what, names) +
+      "; use phytobench race nearest-node, race overlap, race hopkins or race competition");
+}
+
+}  // namespace phytobench::cli

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+// phytobench compare: is one build slower than another?
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "benchmarks/comparison/comparison_report.hpp"
+#include "benchmarks/comparison/machine_load.hpp"
+#include "benchmarks/comparison/measured_result.hpp"
+#include "benchmarks/comparison/paired_timing.hpp"
+#include "benchmarks/comparison/processor_split.hpp"
+#include "benchmarks/comparison/revision_build.hpp"
+#include "benchmarks/comparison/side.hpp"
+#include "benchmarks/comparison/stored_result.hpp"
+#include "benchmarks/comparison/unpaired_verdict.hpp"
+#include "benchmarks/comparison/worker_client.hpp"
+#include "benchmarks/nearest_node/plugin_trial.hpp"
+#include "cli/commands.hpp"
+#include "cli/compare_output.hpp"
+#include "cli/terminal.hpp"
+#include "core/contract/errors.hpp"
+#include "core/contract/name_selection.hpp"
+#include "core/record/environment.hpp"
+
+namespace phytobench::cli {
+
+namespace {
+
+constexpr SelectionWords benchmark_words = {.kind = "benchmark",
+                                            .listing = "phytobench bench list"};
+
+/// Default of --tolerance for times that were not taken in turns, in percent.
+constexpr double stored_tolerance_percent = 10.0;
+constexpr double paired_tolerance_percent = 3.0;
+
+bool is_stored(const Side& side) {
+  return side.origin.kind == "result";
+}
+
+double tolerance_of(const CompareOptions& options, double unless_given_percent) {
+  const double percent = options.tolerance_percent.value_or(unless_given_percent);
+  if (!(std::isfinite(percent) && percent > 0.0))
+    throw InputError(fmt::format(
+        "a tolerance of {} % finds a change everywhere; give more than 0, such as 3", percent));
+  return percent / 100.0;
+}
+
+/// Those that both lists hold, then those that only one does.
+std::vector<std::string> names_of_either(std::vector<std::string> base,
+                                         const std::vector<std::string>& other) {
+  for (const std::string& name : other)
+    if (std::find(base.begin(), base.end(), name) == base.end()) base.push_back(name);
+  return base;
+}
+
+std::vector<std::string> chosen_names(const std::vector<std::string>& names,
+                                      const std::vector<std::string>& globs) {
+  std::vector<std::string> chosen;
+  for (const std::size_t place : selected_names(names, globs, benchmark_words))
+    chosen.push_back(names[place]);
+  if (chosen.empty()) throw NothingSelected("neither side has a benchmark");
+  return chosen;
+}
+
+/// A plugin runs inside the worker that times it. Before that it must show in a process of its own
+/// that it is fit to. What is wrong with it; empty if nothing.
+std::string failed_trial(const Side& side) {
+  if (side.origin.kind != "plugin") return "";
+  const PluginVerdict verdict = try_plugin(side.file, {.is_interrupted = is_interrupted});
+  if (verdict.is_exact()) return "";
+  const std::string text =
+      fmt::format("{}: {}: {}", side.origin.given, name_of(verdict.kind), verdict.detail);
+  if (verdict.kind == PluginVerdict::Kind::refused) throw InputError(text);
+  return text + "; nothing is timed\n";
+}
+
+/// Of a plugin only what its engine brings: all else is this program on both sides.
+std::vector<std::string> names_of(WorkerClient& client) {
+  std::vector<std::string> names = client.names();
+  if (client.side().origin.kind != "plugin") return names;
+  Side without = client.side();
+  without.worker_options.clear();
+  const std::vector<std::string> known = WorkerClient(without).names();
+  std::erase_if(names, [&](const std::string& name) {
+    return std::find(known.begin(), known.end(), name) != known.end();
+  });
+  return names;
+}
+
+/// Programs that are compared, with the processor they are timed on.
+class Comparison {
+ public:
+  explicit Comparison(const CompareOptions& options)
+      : options_(options),
+        base_(resolve_side(options.base, context_)),
+        other_(resolve_side(options.other, context_)) {}
+
+  /// Lines on plugins that are not fit to be timed; empty if all are.
+  std::string failed_trials() const { return failed_trial(base_) + failed_trial(other_); }
+
+  ComparisonReport report() {
+    build(base_);
+    build(other_);
+    split_ = processor_split(allowed_processors());  // compilers may use all of them
+    if (split_) runner_.emplace(split_->runner);
+    ComparisonReport report = is_stored(base_) || is_stored(other_) ? stored() : paired();
+    for (const Side* side : {&base_, &other_})
+      if (!side->note.empty()) report.notes.push_back(side->note + ".");
+    report.environment_json = environment_json(options_.command_line, options_.seed, 1);
+    return report;
+  }
+
+ private:
+  void build(Side& side) const {
+    side = built_side(side, context_,
+                      {.cache = options_.cache,
+                       .show_progress = show_progress,
+                       .is_interrupted = is_interrupted});
+  }
+
+  /// Its origin is completed by what the worker says of itself.
+  WorkerClient client_of(Side& side) const {
+    WorkerClientOptions client_options{.is_interrupted = is_interrupted,
+                                       .sample_ms = options_.sample_ms};
+    if (split_) client_options.processor = split_->worker;
+    const WorkerDescription description = WorkerClient(side, client_options).describe();
+    if (description.counts_work)
+      throw InputError(title_of(side) +
+                       ": was built with work counters, which take time; compare another build");
+    if (side.origin.compiler.empty()) side.origin.compiler = description.compiler;
+    if (side.origin.flags.empty()) side.origin.flags = description.flags;
+    return WorkerClient(side, client_options);
+  }
+
+  bool is_same_program() const {
+    return !options_.time_anyway && !base_.origin.program_digest.empty() &&
+           base_.origin.program_digest == other_.origin.program_digest;
+  }
+
+  TimingSettings timing_settings(std::size_t benchmarks, const VerdictSettings& verdicts) const {
+    const int least = std::max({6, options_.least_blocks, blocks_needed(benchmarks, verdicts)});
+    return {.seed = options_.seed,
+            .budget_s = options_.budget_s,
+            .least_blocks = least,
+            .most_blocks = std::max(least, options_.most_blocks),
+            .samples = options_.samples,
+            .sample_ms = options_.sample_ms,
+            .tolerance = verdicts.tolerance};
+  }
+
+  ComparisonReport paired() {
+    const VerdictSettings verdicts{.tolerance = tolerance_of(options_, paired_tolerance_percent)};
+    WorkerClient base = client_of(base_), other = client_of(other_);
+    const std::vector<std::string> names =
+        chosen_names(names_of_either(names_of(base), names_of(other)), options_.benchmarks);
+    StealMeter steal;
+    PairRequest request{.base = &base,
+                        .other = &other,
+                        .base_origin = base_.origin,
+                        .other_origin = other_.origin,
+                        .names = names,
+                        .is_same_program = is_same_program(),
+                        .settings = timing_settings(names.size(), verdicts),
+                        .show_progress = show_progress,
+                        .is_interrupted = is_interrupted,
+                        .stolen_share = [&] { return steal.share_since_last(); }};
+    ComparisonReport report{.timing = measure_pair(request),
+                            .verdict_settings = verdicts,
+                            .timing_settings = request.settings};
+    report.concluded = conclude(report.timing.measured, verdicts);
+    if (report.timing.was_interrupted) withdraw_verdicts(report.concluded);
+    return report;
+  }
+
+  StoredResult result_of(Side& side) {
+    if (is_stored(side)) return read_stored_result(side.file);
+    WorkerClient client = client_of(side);
+    return measure_result({.side = &client,
+                           .origin = side.origin,
+                           .machine = this_result_machine(),
+                           .names = chosen_names(names_of(client), options_.benchmarks),
+                           .seed = options_.seed,
+                           .samples = options_.samples,
+                           .sample_ms = options_.sample_ms,
+                           .show_progress = show_progress,
+                           .is_interrupted = is_interrupted});
+  }
+
+  ComparisonReport stored() {
+    const double tolerance = tolerance_of(options_, stored_tolerance_percent);
+    StoredResult base = result_of(base_), other = result_of(other_);
+    choose(base, other);
+    ComparisonReport report;
+    report.verdict_settings.tolerance = tolerance;
+    report.concluded = conclude_stored(base, other, {.tolerance = tolerance});
+    report.notes.push_back(
+        "The sides were not timed in turns: what the machine did between the two looks like a "
+        "change of the program. Compare builds or revisions to find small ones.");
+    Measured& measured = report.timing.measured;
+    measured.base = base.origin;
+    measured.other = other.origin;
+    measured.seed = options_.seed;
+    for (const ConcludedBenchmark& concluded : report.concluded)
+      measured.benchmarks.push_back({.name = concluded.name});
+    return report;
+  }
+
+  /// Leaves what --benchmarks names.
+  void choose(StoredResult& base, StoredResult& other) const {
+    const auto names_in = [](const StoredResult& result) {
+      std::vector<std::string> names;
+      for (const StoredBenchmark& benchmark : result.benchmarks) names.push_back(benchmark.name);
+      return names;
+    };
+    const std::vector<std::string> chosen =
+        chosen_names(names_of_either(names_in(base), names_in(other)), options_.benchmarks);
+    for (StoredResult* result : {&base, &other})
+      std::erase_if(result->benchmarks, [&](const StoredBenchmark& benchmark) {
+        return std::find(chosen.begin(), chosen.end(), benchmark.name) == chosen.end();
+      });
+  }
+
+  const CompareOptions& options_;
+  SideContext context_ = side_context();
+  std::optional<ProcessorSplit> split_;
+  std::optional<PinnedThread> runner_;
+  Side base_, other_;
+};
+
+}  // namespace
+
+int compare(const CompareOptions& options) {
+  refuse_unwritable_files(options);
+  tolerance_of(options, paired_tolerance_percent);  // refused before anything is built
+  catch_interrupts();
+  Comparison comparison(options);
+  if (const std::string failures = comparison.failed_trials(); !failures.empty()) {
+    print(failures);
+    return 1;
+  }
+  const ComparisonReport report = comparison.report();
+  const int code = show_comparison(report, options);
+  if (report.timing.was_interrupted) throw Interrupted("what was measured is shown, not judged");
+  return code;
+}
+
+}  // namespace phytobench::cli
