@@ -1,11 +1,13 @@
 # phytobench on a dated Debian 12: the same packages whenever it is built.
 #
 #   docker build -t phytobench .
-#   docker run --rm --network none -v "$PWD/results:/data" phytobench run --tier smoke --out smoke
+#   mkdir -p results && docker run --rm --network none --user "$(id -u):$(id -g)" -v "$PWD/results:/data" phytobench \
+#     run --tier smoke --out smoke
 #
 # Only building needs a network. SNAPSHOT is a day of snapshot.debian.org for which there is an image of that date; PRESET
-# is release, for processors with AVX2 and FMA, or portable. The program runs as user 1000; a folder of somebody else's is
-# written to with --user "$(id -u)".
+# is release, for processors with AVX2 and FMA, or portable. The program runs as user 1000 unless told otherwise. There is
+# no compiler, git or valgrind in the image: comparing revisions and counting instructions need a checkout. With CGAL in it
+# the image is GPL as a whole.
 ARG SNAPSHOT=20251229
 
 FROM debian:bookworm-${SNAPSHOT}-slim AS base

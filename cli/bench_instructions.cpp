@@ -11,6 +11,7 @@
 
 #include "benchmarks/comparison/comparison_report.hpp"
 #include "benchmarks/comparison/gate_junit.hpp"
+#include "benchmarks/comparison/git_revision.hpp"
 #include "benchmarks/comparison/instruction_report.hpp"
 #include "benchmarks/comparison/processor_split.hpp"
 #include "benchmarks/comparison/revision_build.hpp"
@@ -64,22 +65,28 @@ bool is_too_old(const InputError& error) {
   return std::string_view(error.what()).find("older than comparisons") != std::string_view::npos;
 }
 
+/// Whether the sources' history has one commit, and not because the rest was left out.
+bool is_first_commit(const SideContext& at_sources) {
+  const std::optional<fs::path> repository = repository_around(at_sources.folder);
+  return repository && !is_shallow(*repository) && commit_named("HEAD", *repository) &&
+         !commit_named("HEAD~1", *repository);
+}
+
 /// Nothing, with the reason, where there cannot be a base yet: it is too old, or nobody has named
 /// one and the first commit has no parent.
 std::optional<Side> base_side(const BenchInstructionsOptions& options, const SideContext& context,
                               const Side& new_build, std::string& reason) {
   const bool is_given = !options.base.empty();
   std::optional<Side> side;
+  // Its commit is one of the sources' repository, wherever the user stands.
+  SideContext at_sources = context;
+  at_sources.folder = source_tree();
   try {
-    // Its commit is one of the sources' repository, wherever the user stands.
-    SideContext at_sources = context;
-    at_sources.folder = source_tree();
     side =
         is_given ? resolved(options.base, context) : resolved(default_base(new_build), at_sources);
     return built(*side, context);
   } catch (const InputError& error) {
-    const bool has_no_parent = !is_given && !side;
-    if (!is_too_old(error) && !has_no_parent) throw;
+    if (!is_too_old(error) && (is_given || side || !is_first_commit(at_sources))) throw;
     reason = fmt::format("nothing to compare with: {}", error.what());
     return std::nullopt;
   }

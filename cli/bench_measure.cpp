@@ -12,6 +12,7 @@
 #include "benchmarks/comparison/worker_client.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_values.hpp"
+#include "cli/plugin_sides.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
 #include "core/contract/name_selection.hpp"
@@ -26,17 +27,15 @@ namespace {
 /// or days mean anything beside each other.
 constexpr const char* reference_kernel = "selftest/steady";
 
-Side side_of(const BenchMeasureOptions& options) {
+Side named_side(const BenchMeasureOptions& options) {
   const SideContext context = side_context();
-  Side side = options.side.empty()
-                  ? side_of_build(context.program.parent_path(), "this build", context)
-                  : resolve_side(options.side, context);
+  const Side side = options.side.empty()
+                        ? side_of_build(context.program.parent_path(), "this build", context)
+                        : resolve_side(options.side, context);
   if (side.origin.kind == "result")
     throw InputError(options.side + ": is a result; name a build, a revision or a plugin");
-  side =
-      built_side(side, context, {.show_progress = show_progress, .is_interrupted = is_interrupted});
-  side.worker_options.push_back("--selftest");
-  return side;
+  return built_side(side, context,
+                    {.show_progress = show_progress, .is_interrupted = is_interrupted});
 }
 
 std::vector<std::string> chosen_names(const std::vector<std::string>& all,
@@ -50,8 +49,8 @@ std::vector<std::string> chosen_names(const std::vector<std::string>& all,
   return chosen;
 }
 
-StoredResult measured(const BenchMeasureOptions& options) {
-  Side side = side_of(options);
+StoredResult measured(const BenchMeasureOptions& options, Side side) {
+  side.worker_options.push_back("--selftest");
   const std::optional<ProcessorSplit> split = processor_split(allowed_processors());
   const PinnedThread runner(split ? std::optional<int>(split->runner) : std::nullopt);
   WorkerClientOptions client_options{.is_interrupted = is_interrupted,
@@ -61,7 +60,7 @@ StoredResult measured(const BenchMeasureOptions& options) {
   if (client.describe().counts_work)
     throw InputError(title_of(side) +
                      ": was built with work counters, which take time; measure another build");
-  std::vector<std::string> names = chosen_names(client.names(), options.benchmarks);
+  std::vector<std::string> names = chosen_names(names_of(client), options.benchmarks);
   names.push_back(reference_kernel);
   return measure_result({.side = &client,
                          .origin = side.origin,
@@ -98,7 +97,12 @@ std::string table(const StoredResult& result) {
 
 int bench_measure(const BenchMeasureOptions& options) {
   catch_interrupts();
-  const StoredResult result = measured(options);
+  const Side side = named_side(options);
+  if (const std::string failure = failed_trial(side); !failure.empty()) {
+    print(failure);
+    return 1;
+  }
+  const StoredResult result = measured(options, side);
   if (!options.out.empty()) write_file_atomically(options.out, to_json(result));
   print(options.json ? to_json(result) : table(result));
   const auto is_timed = [](const StoredBenchmark& benchmark) {

@@ -10,6 +10,7 @@
 #include "benchmarks/comparison/comparison_report.hpp"
 #include "benchmarks/comparison/machine_load.hpp"
 #include "benchmarks/comparison/measured_result.hpp"
+#include "benchmarks/comparison/moved_code.hpp"
 #include "benchmarks/comparison/paired_timing.hpp"
 #include "benchmarks/comparison/processor_split.hpp"
 #include "benchmarks/comparison/revision_build.hpp"
@@ -17,9 +18,9 @@
 #include "benchmarks/comparison/stored_result.hpp"
 #include "benchmarks/comparison/unpaired_verdict.hpp"
 #include "benchmarks/comparison/worker_client.hpp"
-#include "benchmarks/nearest_node/plugin_trial.hpp"
 #include "cli/commands.hpp"
 #include "cli/compare_output.hpp"
+#include "cli/plugin_sides.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
 #include "core/contract/name_selection.hpp"
@@ -63,31 +64,6 @@ std::vector<std::string> chosen_names(const std::vector<std::string>& names,
     chosen.push_back(names[place]);
   if (chosen.empty()) throw NothingSelected("neither side has a benchmark");
   return chosen;
-}
-
-/// A plugin runs inside the worker that times it. Before that it must show in a process of its own
-/// that it is fit to. What is wrong with it; empty if nothing.
-std::string failed_trial(const Side& side) {
-  if (side.origin.kind != "plugin") return "";
-  const PluginVerdict verdict = try_plugin(side.file, {.is_interrupted = is_interrupted});
-  if (verdict.is_exact()) return "";
-  const std::string text =
-      fmt::format("{}: {}: {}", side.origin.given, name_of(verdict.kind), verdict.detail);
-  if (verdict.kind == PluginVerdict::Kind::refused) throw InputError(text);
-  return text + "; nothing is timed\n";
-}
-
-/// Of a plugin only what its engine brings: all else is this program on both sides.
-std::vector<std::string> names_of(WorkerClient& client) {
-  std::vector<std::string> names = client.names();
-  if (client.side().origin.kind != "plugin") return names;
-  Side without = client.side();
-  without.worker_options.clear();
-  const std::vector<std::string> known = WorkerClient(without).names();
-  std::erase_if(names, [&](const std::string& name) {
-    return std::find(known.begin(), known.end(), name) != known.end();
-  });
-  return names;
 }
 
 /// Programs that are compared, with the processor they are timed on.
@@ -171,8 +147,22 @@ class Comparison {
                             .verdict_settings = verdicts,
                             .timing_settings = request.settings};
     report.concluded = conclude(report.timing.measured, verdicts);
-    if (report.timing.was_interrupted) withdraw_verdicts(report.concluded);
+    if (report.timing.was_interrupted)
+      withdraw_verdicts(report.concluded);
+    else
+      count_what_changed(report.concluded);
     return report;
+  }
+
+  /// A plugin is not counted: callgrind's runs know none.
+  void count_what_changed(std::vector<ConcludedBenchmark>& concluded) const {
+    const std::vector<std::string> names = names_to_count(concluded);
+    if (names.empty() || base_.origin.kind == "plugin" || other_.origin.kind == "plugin") return;
+    show_progress("instructions of what changed are counted");
+    consider_instructions(concluded, count_pairs({.base = counted_build(base_, names),
+                                                  .other = counted_build(other_, names),
+                                                  .show_progress = show_progress,
+                                                  .is_interrupted = is_interrupted}));
   }
 
   StoredResult result_of(Side& side) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/compare_output.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <vector>
@@ -29,7 +30,12 @@ std::string line_of(const std::string& text) {
 int exit_code_of(const ComparisonReport& report, bool is_strict) {
   const auto count = [&](SpeedVerdict verdict) { return count_of(report, verdict); };
   if (count(SpeedVerdict::slower) + count(SpeedVerdict::wrong_answer) > 0) return 1;
-  if (count(SpeedVerdict::nothing_measured) == report.concluded.size()) return 4;
+  // What base has and was not measured is no pass.
+  const bool is_lost = std::any_of(
+      report.concluded.begin(), report.concluded.end(), [](const ConcludedBenchmark& benchmark) {
+        return benchmark.verdict == SpeedVerdict::nothing_measured && !is_base_to_blame(benchmark);
+      });
+  if (is_lost || count(SpeedVerdict::nothing_measured) == report.concluded.size()) return 4;
   return is_strict && count(SpeedVerdict::inconclusive) > 0 ? 5 : 0;
 }
 

@@ -10,7 +10,9 @@ elseif(GIT)
   if(NOT failed)
     set(COMMIT "${found}")
   endif()
-  execute_process(COMMAND ${GIT} -C ${SOURCE} status --porcelain
+  # Of what is compiled or read by programs; notes beside it change nothing.
+  execute_process(COMMAND ${GIT} -C ${SOURCE} status --porcelain --
+                          core reference benchmarks experiments reports cli cmake examples CMakeLists.txt CMakePresets.json
                   OUTPUT_VARIABLE changes ERROR_QUIET)
   if(changes)
     set(SOURCE_CHANGED "true")

@@ -46,4 +46,9 @@ std::string_view name_of(SpeedVerdict verdict) {
   return {};
 }
 
+bool is_base_to_blame(const ConcludedBenchmark& benchmark) {
+  return benchmark.verdict == SpeedVerdict::nothing_measured &&
+         (benchmark.reason == only_new_has_it || benchmark.reason.starts_with(base_is_wrong));
+}
+
 }  // namespace phytobench

@@ -69,6 +69,10 @@ enum class SpeedVerdict {
 
 std::string_view name_of(SpeedVerdict verdict);
 
+/// Why nothing was measured where base is to blame: the benchmark is new, or was wrong before.
+inline constexpr std::string_view only_new_has_it = "base does not have it";
+inline constexpr std::string_view base_is_wrong = "base is wrong: ";  ///< and how
+
 struct VerdictSettings {
   double tolerance = 0.03;    ///< a change of less does not matter; > 0
   double alpha = 0.05;        ///< of the test, over all benchmarks together; in (0, 1)
@@ -90,6 +94,9 @@ struct ConcludedBenchmark {
   double p = 1.0;
   std::size_t blocks = 0;
 };
+
+/// Whether nothing was measured, and base is the reason.
+bool is_base_to_blame(const ConcludedBenchmark& benchmark);
 
 /// The verdicts on what was measured, in its order. Intervals are those of the bootstrapped median
 /// of the blocks' log ratios. A benchmark is

@@ -11,8 +11,9 @@ namespace phytobench {
 
 namespace {
 
-GateOutcome outcome_of(SpeedVerdict verdict) {
-  switch (verdict) {
+GateOutcome outcome_of(const ConcludedBenchmark& benchmark) {
+  if (is_base_to_blame(benchmark)) return GateOutcome::skipped;
+  switch (benchmark.verdict) {
     case SpeedVerdict::slower:
     case SpeedVerdict::wrong_answer:
     case SpeedVerdict::nothing_measured:
@@ -34,7 +35,7 @@ std::string comparison_junit(const ComparisonReport& report) {
   for (const ConcludedBenchmark& benchmark : report.concluded)
     cases.push_back(
         {.name = benchmark.name,
-         .outcome = outcome_of(benchmark.verdict),
+         .outcome = outcome_of(benchmark),
          .message = fmt::format("{}: {}", name_of(benchmark.verdict), benchmark.reason)});
   return gate_junit("compare", cases);
 }

@@ -56,5 +56,19 @@ TEST(SpeedVerdict, HasANameForEach) {
   EXPECT_THROW(name_of(static_cast<SpeedVerdict>(99)), ContractViolation);
 }
 
+TEST(Comparison, BaseIsToBlameForWhatItLacksOrHasWrong) {
+  ConcludedBenchmark benchmark;
+  benchmark.verdict = SpeedVerdict::nothing_measured;
+  benchmark.reason = std::string(only_new_has_it);
+  EXPECT_TRUE(is_base_to_blame(benchmark));
+  benchmark.reason = std::string(base_is_wrong) + "node 3 is too far";
+  EXPECT_TRUE(is_base_to_blame(benchmark));
+  benchmark.reason = "new does not have it";
+  EXPECT_FALSE(is_base_to_blame(benchmark));
+  benchmark.verdict = SpeedVerdict::wrong_answer;
+  benchmark.reason = std::string(only_new_has_it);
+  EXPECT_FALSE(is_base_to_blame(benchmark));
+}
+
 }  // namespace
 }  // namespace phytobench

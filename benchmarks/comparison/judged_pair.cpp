@@ -31,10 +31,12 @@ MeasuredBenchmark other_work(const std::string& name, const std::string& why) {
 MeasuredBenchmark judged(const std::string& name, const VerifiedBenchmark* base,
                          const VerifiedBenchmark* other) {
   if (base == nullptr && other == nullptr) return other_work(name, "neither side has it");
-  if (base == nullptr) return other_work(name, "base does not have it");
+  if (base == nullptr) return other_work(name, std::string(only_new_has_it));
   if (other == nullptr) return other_work(name, "new does not have it");
   if (!other->objection.empty()) return {.name = name, .objection = "new: " + other->objection};
-  if (!base->objection.empty()) return {.name = name, .objection = "base: " + base->objection};
+  // Whoever mends a wrong answer must not be refused for it.
+  if (!base->objection.empty())
+    return other_work(name, std::string(base_is_wrong) + base->objection);
   if (base->inputs != other->inputs) return other_work(name, "the inputs of both sides differ");
   if (base->answer != other->answer)
     return other_work(name, "the answers of both sides are right, but differ");

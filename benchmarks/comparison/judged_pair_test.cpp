@@ -31,8 +31,9 @@ TEST(JudgedPair, HasNothingAgainstTheSameRightAnswer) {
 TEST(JudgedPair, NamesTheSideWithTheWrongAnswer) {
   const SimulatedBenchmark wrong{.answer = "other", .objection = "node 3 is too far"};
   EXPECT_EQ(judged({}, wrong).objection, "new: node 3 is too far");
-  EXPECT_EQ(judged(wrong, {}).objection, "base: node 3 is too far");
-  EXPECT_TRUE(judged(wrong, {}).is_same_work);
+  EXPECT_EQ(judged(wrong, {}).objection, "base is wrong: node 3 is too far");
+  EXPECT_TRUE(judged({}, wrong).is_same_work);
+  EXPECT_FALSE(judged(wrong, {}).is_same_work) << "whoever mends it is not at fault";
 }
 
 TEST(JudgedPair, ComparesOnlyTheSameWork) {

@@ -12,18 +12,22 @@
 
 #include "core/contract/check.hpp"
 #include "core/memory/allocation_counts.hpp"
+#include "core/nearest_node/plugin/engine_plugin.hpp"
 #include "core/random/counter_stream.hpp"
 
 namespace phytobench {
 
 namespace {
 
-/// Processor time of this thread: what other processes take in between is not in it.
-double thread_seconds() {
+/// Processor time of this thread, or of this process: what other processes take in between is not
+/// in it.
+double cpu_seconds(clockid_t whose) {
   timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  ::clock_gettime(whose, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
+
+constexpr double shortest_run_s = 20e-9;  ///< an empty call takes a tenth of it
 
 std::int64_t involuntary_switches() {
   rusage usage{};
@@ -34,9 +38,9 @@ std::int64_t involuntary_switches() {
 /// Runs `executed` times and says that it was `counted` times.
 TimedSample timed(WatchedKernel& kernel, std::uint64_t counted, std::uint64_t executed) {
   const auto wall_start = std::chrono::steady_clock::now();
-  const double cpu_start = thread_seconds();
+  const double cpu_start = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
   for (std::uint64_t i = 0; i < executed; ++i) kernel.run();
-  const double cpu = thread_seconds() - cpu_start;
+  const double cpu = cpu_seconds(CLOCK_THREAD_CPUTIME_ID) - cpu_start;
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_start;
   return {.iterations = counted, .cpu_s = cpu, .wall_s = wall.count()};
 }
@@ -55,11 +59,21 @@ class Sampler {
   }
 
   SampledBenchmark run() {
-    warm_up();
-    const std::int64_t before = involuntary_switches();
-    for (int sample = 0; sample < samples_ && is_right(); ++sample) take();
-    result_.involuntary_switches = involuntary_switches() - before;
-    if (!is_right()) result_.samples.clear();
+    try {
+      warm_up();
+      const std::int64_t before = involuntary_switches();
+      const double process_start = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
+      const double thread_start = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
+      for (int sample = 0; sample < samples_ && is_right(); ++sample) take();
+      const double elsewhere = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - process_start -
+                               (cpu_seconds(CLOCK_THREAD_CPUTIME_ID) - thread_start);
+      result_.involuntary_switches = involuntary_switches() - before;
+      if (is_right()) demand_one_thread(elsewhere);
+      demand_work();
+    } catch (const PluginMisbehaved& error) {
+      result_.objection = error.what();
+    }
+    if (!result_.objection.empty()) result_.samples.clear();
     return std::move(result_);
   }
 
@@ -79,6 +93,27 @@ class Sampler {
     const auto extra = static_cast<std::uint64_t>(owed_ + 1e-9);  // ten tenths are one
     owed_ -= static_cast<double>(extra);
     result_.samples.push_back(timed(*kernel_, counted, counted + extra));
+  }
+
+  /// A build may have worked when it was calibrated, or the other side alone was.
+  void demand_work() {
+    for (const TimedSample& sample : result_.samples)
+      if (sample.cpu_s < shortest_run_s * static_cast<double>(sample.iterations))
+        result_.objection = "a run takes no time that can be measured";
+  }
+
+  /// Work that other threads do would not be in this one's time.
+  void demand_one_thread(double seconds_elsewhere) {
+    double here = 0.0;
+    for (const TimedSample& sample : result_.samples) here += sample.cpu_s;
+    constexpr double share = 0.1;      // libraries may keep a thread that wakes now and then
+    constexpr double clocks_s = 2e-3;  // clocks of processes tick in steps on some systems
+    if (seconds_elsewhere > share * here + clocks_s)
+      result_.objection = fmt::format(
+          "it computes in other threads, too ({:.1f} times as long as in its own), whose time "
+          "would "
+          "not be seen",
+          seconds_elsewhere / here);
   }
 
   bool is_right() {
@@ -105,7 +140,9 @@ const WatchedBenchmark& named(const std::vector<WatchedBenchmark>& benchmarks,
 
 }  // namespace
 
-VerifiedBenchmark verify_benchmark(const WatchedBenchmark& benchmark) {
+namespace {
+
+VerifiedBenchmark verified_run(const WatchedBenchmark& benchmark) {
   const std::unique_ptr<WatchedKernel> kernel = benchmark.prepare();
   kernel->run();
   const AllocationCounts before = allocations_so_far();
@@ -123,10 +160,8 @@ VerifiedBenchmark verify_benchmark(const WatchedBenchmark& benchmark) {
   return verified;
 }
 
-CalibratedBenchmark calibrate_benchmark(const WatchedBenchmark& benchmark, double sample_s) {
-  PHYTOBENCH_EXPECT(sample_s > 0.0);
+CalibratedBenchmark calibrated_run(const WatchedBenchmark& benchmark, double sample_s) {
   constexpr std::uint64_t most_iterations = std::uint64_t{1} << 24;
-  constexpr double shortest_run_s = 20e-9;  // an empty call takes a tenth of it
   const std::unique_ptr<WatchedKernel> kernel = benchmark.prepare();
   kernel->run();
   for (std::uint64_t iterations = 1; iterations <= most_iterations; iterations *= 2) {
@@ -139,6 +174,26 @@ CalibratedBenchmark calibrate_benchmark(const WatchedBenchmark& benchmark, doubl
         .name = benchmark.name, .iterations = static_cast<std::uint64_t>(wanted), .seconds = each};
   }
   return {.name = benchmark.name, .iterations = 0, .seconds = 0.0};
+}
+
+}  // namespace
+
+VerifiedBenchmark verify_benchmark(const WatchedBenchmark& benchmark) {
+  try {
+    return verified_run(benchmark);
+  } catch (const PluginMisbehaved& error) {
+    return {
+        .name = benchmark.name, .inputs = {}, .answer = {}, .objection = error.what(), .work = {}};
+  }
+}
+
+CalibratedBenchmark calibrate_benchmark(const WatchedBenchmark& benchmark, double sample_s) {
+  PHYTOBENCH_EXPECT(sample_s > 0.0);
+  try {
+    return calibrated_run(benchmark, sample_s);
+  } catch (const PluginMisbehaved&) {
+    return {.name = benchmark.name, .iterations = 0, .seconds = 0.0};  // sampling will say why
+  }
 }
 
 std::vector<SampledBenchmark> sample_benchmarks(const std::vector<WatchedBenchmark>& benchmarks,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/regression/sampling.hpp"
 
+#include <thread>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -82,6 +84,44 @@ TEST(Sampling, AWrongAnswerGetsNoTime) {
   const auto later = sample_benchmarks({counting(runs, 20)}, plan_of(10, 3));
   EXPECT_NE(later[0].objection, "");
   EXPECT_TRUE(later[0].samples.empty()) << "not even those before it went wrong";
+}
+
+TEST(Sampling, WorkInOtherThreadsIsNotHidden) {
+  class Helped final : public WatchedKernel {
+    std::string inputs() const override { return ""; }
+    void run() override {
+      std::thread helper([this] {
+        for (int i = 0; i < 2'000'000; ++i) sum_ = sum_ + 1.0 / (1.0 + i);
+      });
+      helper.join();
+    }
+    std::string answer() const override { return "right"; }
+    WorkCounts work() const override { return {}; }
+    std::string objection() override { return ""; }
+    volatile double sum_ = 0.0;
+  };
+  const WatchedBenchmark helped{.name = "counting", .summary = "", .is_own = true, .prepare = [] {
+                                  return std::make_unique<Helped>();
+                                }};
+  const auto sampled = sample_benchmarks({helped}, plan_of(2, 2));
+  EXPECT_THAT(sampled[0].objection, testing::HasSubstr("other threads"));
+  EXPECT_TRUE(sampled[0].samples.empty());
+}
+
+TEST(Sampling, WhatStopsWorkingGetsNoTime) {
+  class Idle final : public WatchedKernel {
+    std::string inputs() const override { return ""; }
+    void run() override {}
+    std::string answer() const override { return "right"; }
+    WorkCounts work() const override { return {}; }
+    std::string objection() override { return ""; }
+  };
+  const WatchedBenchmark idle{.name = "counting", .summary = "", .is_own = true, .prepare = [] {
+                                return std::make_unique<Idle>();
+                              }};
+  const auto sampled = sample_benchmarks({idle}, plan_of(100'000, 3));
+  EXPECT_THAT(sampled[0].objection, testing::HasSubstr("takes no time"));
+  EXPECT_TRUE(sampled[0].samples.empty());
 }
 
 TEST(Sampling, PlansThatAskForNothingOrTheUnknownAreRefused) {

@@ -2,7 +2,11 @@
 // phytobench_worker: the benchmarks of one build, for whoever counts or compares. What it is asked
 // and answers: worker_protocol.hpp. It holds nothing of reports, experiments or the command line,
 // and no commit, so that two builds of equal sources are the same program.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <iterator>
@@ -85,6 +89,14 @@ std::string answer_to(const WorkerOptions& options) {
   return each<VerifiedBenchmark>(chosen, verify_benchmark);
 }
 
+/// What plugins print must not get among the answers: from here on it goes to standard error.
+/// Where answers go instead.
+std::FILE* answers_apart() {
+  const int apart = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+  if (apart < 0 || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return nullptr;
+  return ::fdopen(apart, "w");
+}
+
 int fail(int code, const std::exception& error) {
   std::fprintf(stderr, "phytobench_worker: %s\n", error.what());
   return code;
@@ -97,10 +109,15 @@ int fail(int code, const std::exception& error) {
 int main(int argc, char** argv) {
   using namespace phytobench;
   try {
-    const std::string answer = answer_to(worker_options({argv + 1, argv + argc}));
-    const bool is_written = std::fwrite(answer.data(), 1, answer.size(), stdout) == answer.size();
-    if (!is_written || std::fflush(stdout) != 0)
+    const WorkerOptions options = worker_options({argv + 1, argv + argc});
+    std::FILE* const out = options.plugins.empty() ? stdout : answers_apart();
+    if (out == nullptr) throw EnvironmentError("standard output cannot be kept from plugins");
+    const std::string answer = answer_to(options);
+    const bool is_written = std::fwrite(answer.data(), 1, answer.size(), out) == answer.size();
+    if (!is_written || std::fflush(out) != 0)
       throw EnvironmentError("standard output cannot be written");
+    // Destructors of plugins might hang, and nothing is left to be done.
+    if (!options.plugins.empty()) std::_Exit(0);
     return 0;
   } catch (const InputError& error) {
     return fail(2, error);

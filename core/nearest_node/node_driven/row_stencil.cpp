@@ -27,8 +27,6 @@ void RowStencil::reset(const RowShape& shape, double reach) {
   span_x_ = static_cast<std::int32_t>(in_row_edges * shape.row_edge / shape.cell_x) + 2;
   for (std::int32_t z = 0; z < places; ++z)
     for (std::int32_t y = 0; y < places; ++y) list_place(shape, in_row_edges, y, z);
-  // Of a thousand points the room that growing lists leave would be a tenth of the engine.
-  for (std::vector<std::int32_t>* list : {&y_, &z_, &row_, &entry_}) list->shrink_to_fit();
 }
 
 /// `reach` in row edges.

@@ -33,7 +33,9 @@ void* load(const std::string& file, const PluginWatch& watch) {
   // A name without a slash would be looked for where the system keeps its libraries.
   const std::string path = std::filesystem::absolute(file, error).string();
   const WatchedCall call(watch, PluginCall::load, 0);
-  void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  // Never unloaded: threads of its pools (OpenMP's) may still run code of it, and its destructors
+  // would run where nobody watches for one that hangs.
+  void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   if (library == nullptr)
     refuse(file, fmt::format("cannot be loaded ({}); build it with -shared -fPIC for this machine",
                              plain_line(::dlerror())));

@@ -22,20 +22,26 @@
  * All coordinates are finite and so small that no squared distance overflows. The influence
  * distance may be infinite. Directions have unit length, but for rounding.
  *
+ * Points may coincide with each other and with nodes; at distance 0 a node perceives a point.
+ *
  * Order of calls: create(), then associate() and remove() (or removed()) in any order and any
  * number, then destroy(). A removal may come before the first associate(), and its killers may be
- * nodes that associate() gets only later. After a call that reported a failure only last_error()
- * and destroy() follow. Several engines may live at once, so nothing may be kept in global
- * variables.
+ * nodes that associate() gets only later. There may be no points, no new nodes and no killers.
+ * After a call that reported a failure only last_error(), from the same thread, and destroy()
+ * follow. Several engines may live at once, with calls of one between calls of another, but never
+ * at the same time: nothing of an engine may be kept in global variables.
  *
- * Threads: calls for one engine never overlap, but need not come from the same thread. An engine
- * may use up to setup->threads threads, itself included, within a call; none of them may still work
- * when the call returns, and none may exist after destroy(). Answers are the same for any number.
+ * Threads: calls for one engine need not come from the same thread. An engine may use up to
+ * setup->threads threads, itself included, within a call; none of them may still work when the call
+ * returns, though idle ones of a pool may wait. Answers are the same for any number.
  *
  * Memory: arrays belong to whoever passed them. `points` stays alive and unchanged until destroy()
  * returns; every other array and struct only until the call returns. An array of no elements may be
- * null. What the library allocates it frees, at the latest in destroy(): that is measured. No C++ exception may leave a function, and
- * none may end the program, write to standard output or change signal handlers. */
+ * null. What the library allocates it frees, at the latest in destroy(): that is measured.
+ *
+ * No function may end the program, let a C++ exception out, write to standard output, or leave the
+ * floating-point environment, the locale, signal handlers, open files or the working folder other
+ * than it found them. */
 #ifndef PHYTOBENCH_ENGINE_H
 #define PHYTOBENCH_ENGINE_H
 
@@ -80,7 +86,7 @@ typedef struct phytobench_node {
 
 /* What holds for all calls. Copy it in create() if it is needed later. */
 typedef struct phytobench_setup {
-  double influence_distance;        /* > 0, in the unit of the points; may be infinite */
+  double influence_distance;        /* >= 1e-100, in the unit of the points; may be infinite */
   double squared_reach;             /* influence_distance * influence_distance */
   double perception_half_angle_rad; /* (0, pi] */
   double cosine;                    /* of that angle, to be compared with exactly */
@@ -94,7 +100,7 @@ typedef struct phytobench_setup {
 typedef struct phytobench_engine_v1 {
   uint32_t abi;        /* PHYTOBENCH_ENGINE_ABI */
   uint32_t size;       /* sizeof(phytobench_engine_v1) */
-  const char* name;    /* [a-z0-9_]+, unlike that of any engine of phytobench */
+  const char* name;    /* [a-z0-9_]{1,64}, unlike that of any engine of phytobench */
   const char* summary; /* one sentence: how it finds the nearest node */
 
   /* A new engine for `count` points, numbered from 0; null if that fails. */
@@ -127,7 +133,7 @@ typedef struct phytobench_engine_v1 {
   const char* (*last_error)(void* engine);
 } phytobench_engine_v1;
 
-/* What the library exports. The table must stay valid while the library is loaded. */
+/* What the library exports. The table must stay as it is while the library is loaded. */
 PHYTOBENCH_EXPORT const phytobench_engine_v1* phytobench_engine(void);
 
 /* The squared distance as everyone rounds it: (dx*dx + dy*dy) + dz*dz. Its arguments may be
