@@ -48,8 +48,9 @@ void consider_instructions(std::vector<ConcludedBenchmark>& concluded,
       continue;
     }
     benchmark.reason = fmt::format(
-        "{}: {}; but both sides execute the same instructions ({:+.3f} %), so it lies "
-        "elsewhere in memory and does nothing else",
+        "{}: {}; but both sides execute nearly the same instructions ({:+.3f} %), so code or data "
+        "probably lie "
+        "elsewhere in memory",
         name_of(benchmark.verdict), benchmark.reason, 100.0 * change);
     benchmark.verdict = SpeedVerdict::inconclusive;
   }

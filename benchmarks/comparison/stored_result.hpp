@@ -8,10 +8,9 @@
 //   origin       {given, kind, commit, changed, compiler, flags, program_digest}
 //   machine      {processor, logical_processors, kernel}
 //   seed         of the order of measuring
-//   reference    {name, seconds}: a kernel that never changes, timed in the same run; may be
-//   missing benchmarks   [{name, inputs, answer, objection, processes: [[seconds, ...], ...]}],
-//   each inner
-//                list from one process, seconds per iteration; `objection` only where nothing was
+//   reference    {name, seconds}: a kernel that never changes, timed in the same run; may be absent
+//   benchmarks   [{name, inputs, answer, objection, processes: [[seconds, ...], ...]}]: an inner
+//                list for each process, seconds per iteration; `objection` only where nothing was
 //                timed
 #pragma once
 

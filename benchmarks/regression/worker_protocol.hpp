@@ -8,8 +8,7 @@
 //   phytobench_worker counters [NAME...]        the same with work counters
 //   phytobench_worker calibrate --sample-ms T [NAME...]   iterations for a sample of that length
 //   phytobench_worker sample    < plan          SamplePlan in, SampledBenchmark each out
-//   phytobench_worker once NAME                 runs it twice, the second time inside callgrind's
-//   region
+//   phytobench_worker once NAME                 runs it twice; callgrind counts the second run
 // Options of all: --plugin FILE.so (its engine joins), --handicap SHARE (every iteration is
 // followed by so much of another: a calibrated loss of speed), --selftest (broken benchmarks join).
 #pragma once
