@@ -8,7 +8,6 @@
 namespace phytobench {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -135,6 +134,55 @@ TEST_F(BenchCounters, InJsonEveryChangeHasItsNumbers) {
   EXPECT_EQ(json["changes"][0]["after"], 8);
 }
 
+TEST_F(BenchCounters, WhatWasCountedIsKeptWithItsOrigin) {
+  count("--accept");
+  const Outcome outcome = count("--out kept/counts.json --json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto kept = nlohmann::json::parse(read("kept/counts.json"));
+  EXPECT_EQ(kept["schema"], "phytobench/counters-1");
+  EXPECT_EQ(kept["origin"]["given"], "worker/phytobench_worker");
+  EXPECT_EQ(kept["origin"]["compiler"], "c");
+  EXPECT_TRUE(kept["origin"].contains("commit"));
+  EXPECT_TRUE(kept["origin"].contains("changed"));
+  EXPECT_EQ(kept["benchmarks"]["near/scan/a"]["counters"]["evaluations"], 7);
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["origin"], kept["origin"]);
+  EXPECT_THAT(output_of({"history", "append", "kept/counts.json"}), HasSubstr("4 values"));
+  EXPECT_FALSE(nlohmann::json::parse(read("counters.json")).contains("origin"));
+}
+
+TEST_F(BenchCounters, WrongAnswersAreNotKept) {
+  count("--accept");
+  write("worker/tree-mesh.objection", "one triangle too few");
+  EXPECT_EQ(count("--out counts.json").code, 1);
+  EXPECT_FALSE(exists("counts.json"));
+}
+
+TEST_F(BenchCounters, FilesThatCannotBeWrittenAreRefusedBeforeAnythingIsCounted) {
+  count("--accept");
+  write("worker/phytobench_worker", "#!/bin/sh\n: > \"$(dirname \"$0\")/was-asked\"\nexit 3\n");
+  write("file", "");
+  std::filesystem::create_directories(folder() / "folder");
+  const auto expect = [&](const std::string& more, int code, const std::string& part) {
+    const Outcome outcome = count(more);
+    EXPECT_EQ(outcome.code, code) << more;
+    EXPECT_THAT(outcome.err, HasSubstr(part)) << more;
+    EXPECT_EQ(line_count(outcome.err), 1) << outcome.err;
+  };
+  expect("--out folder", 2, "folder: is a folder");
+  expect("--junit folder", 2, "folder: is a folder");
+  expect("--out /dev/null", 2, "/dev/null: is no ordinary file");
+  expect("--out a.json --junit ./a.json", 2, "is given for two documents");
+  expect("--out counters.json --accept", 2, "is given for two documents");
+  expect("--junit file/below.xml", 3, "cannot make the folder file");
+  EXPECT_FALSE(exists("worker/was-asked"));
+  {
+    const SmallFilesOnly full(0);
+    EXPECT_EQ(count("--out counts.json").code, 3);
+  }
+  EXPECT_FALSE(exists("worker/was-asked"));
+  EXPECT_EQ(left_behind(), (std::set<std::string>{"counters.json", "file", "folder", "worker"}));
+}
+
 TEST_F(BenchCounters, DamageAndWorkersThatDoNotCountAreRefused) {
   const std::string line = "bench counters --baseline counters.json --worker ";
   write("counters.json", "{");
@@ -154,39 +202,6 @@ TEST_F(BenchCommand, ListNamesWhatIsWatched) {
   EXPECT_THAT(output_of({"bench", "list"}), HasSubstr(first));
   EXPECT_EQ(line_count(output_of({"bench", "list", first})), 1);
   EXPECT_EQ(run({"bench", "list", "nothing/*"}).code, 4);
-}
-
-const std::string build_folder = fs::path(PHYTOBENCH_PROGRAM).parent_path().string();
-
-TEST_F(BenchCommand, InstructionsOfTheSameBinaryNeedNoRun) {
-  const auto json = json_of({"bench", "instructions", "--base", build_folder, "--json",
-                             "--markdown", "summary.md", "--junit", "summary.xml"},
-                            "phytobench/instructions-1");
-  ASSERT_FALSE(json["benchmarks"].empty());
-  for (const auto& benchmark : json["benchmarks"]) EXPECT_EQ(benchmark["verdict"], "same binary");
-  EXPECT_THAT(read("summary.md"), HasSubstr("same binary"));
-  EXPECT_THAT(read("summary.xml"), HasSubstr("failures=\"0\""));
-}
-
-TEST_F(BenchCommand, InstructionsWithoutABaseIsNoPassUnlessAllowed) {
-  write("old/phytobench", "");
-  const Outcome refused = run({"bench", "instructions", "--base", "old"});
-  EXPECT_EQ(refused.code, 4);
-  EXPECT_THAT(refused.err, HasSubstr("nothing to compare with"));
-  const Outcome allowed =
-      run({"bench", "instructions", "--base", "old", "--allow-no-base", "--junit", "summary.xml"});
-  EXPECT_EQ(allowed.code, 0) << allowed.err;
-  EXPECT_THAT(allowed.out, HasSubstr("nothing to compare with"));
-  EXPECT_THAT(read("summary.xml"), HasSubstr("skipped=\"1\""));
-}
-
-TEST_F(BenchCommand, InstructionsRefusesWhatItCannotCompare) {
-  EXPECT_EQ(run({"bench", "instructions", "--base", "no-such-thing", "--allow-no-base"}).code, 2);
-  write("old.json", "{}");
-  expect_refused_line("bench instructions --base old.json", "revisions and build folders only");
-  write("accepted.toml", "[[accepted]]\nbenchmark = \"*\"\n");
-  expect_refused({"bench", "instructions", "--base", build_folder, "--accepted", "accepted.toml"},
-                 2, "accepted.toml:1: [[accepted]] has no percent");
 }
 
 }  // namespace

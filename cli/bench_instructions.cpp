@@ -19,6 +19,7 @@
 #include "benchmarks/history/history_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_values.hpp"
+#include "cli/output_files.hpp"
 #include "cli/source_tree.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
@@ -44,8 +45,9 @@ Side resolved(const std::string& given, const SideContext& context) {
 }
 
 Side built(const Side& side, const SideContext& context) {
-  return built_side(side, context,
-                    {.show_progress = show_progress, .is_interrupted = is_interrupted});
+  return built_side(
+      side, context,
+      {.show_progress = show_progress, .tell = tell, .is_interrupted = is_interrupted});
 }
 
 Side new_side(const BenchInstructionsOptions& options, const SideContext& context) {
@@ -119,52 +121,70 @@ Chosen chosen(const BenchInstructionsOptions& options, const WorkerDescription& 
   return names;
 }
 
-/// Objections of the oracles to answers of the new build, by name.
-std::map<std::string, std::string> objections(WorkerClient& client,
-                                              const std::vector<std::string>& names) {
-  std::map<std::string, std::string> found;
+/// What the oracles say of the answers of the new build, by name.
+std::map<std::string, VerifiedBenchmark> verified(WorkerClient& client,
+                                                  const std::vector<std::string>& names) {
+  std::map<std::string, VerifiedBenchmark> found;
   if (names.empty()) return found;  // a worker runs everything then
   show_progress(fmt::format("judging the answers of {} benchmarks", names.size()));
-  for (const VerifiedBenchmark& one : client.verify(names)) found[one.name] = one.objection;
+  for (const VerifiedBenchmark& one : client.verify(names)) found[one.name] = one;
   return found;
 }
 
+/// Files that judging takes, read before anything is built or counted.
+struct Files {
+  std::vector<AcceptedIncrease> accepted;
+  std::shared_ptr<const HistoryFile> history;  ///< null: none was named
+};
+
+/// A file that the user names must be there; that of the sources may be missing.
+std::vector<AcceptedIncrease> accepted_increases(const std::string& given) {
+  if (given.empty())
+    return read_accepted_increases(source_tree() / "benchmarks" / "baselines" /
+                                   "accepted_instructions.toml");
+  return accepted_increases_from(read_text_file(given), given);
+}
+
+Files read_files(const BenchInstructionsOptions& options) {
+  Files files{.accepted = accepted_increases(options.accepted), .history = nullptr};
+  if (!options.history.empty())
+    files.history = std::make_shared<HistoryFile>(options.history, HistoryAccess::read);
+  return files;
+}
+
 /// Ordinary changes of a benchmark so far; none without a history.
-std::function<std::vector<double>(const std::string&)> earlier_changes(const std::string& file) {
-  if (file.empty() || !fs::exists(file)) return {};
-  const auto history = std::make_shared<HistoryFile>(file, HistoryAccess::read);
-  return [history](const std::string& name) { return history->changes_of_instructions(name); };
+std::function<std::vector<double>(const std::string&)> earlier_changes(const Files& files) {
+  if (!files.history) return {};
+  return [history = files.history](const std::string& name) {
+    return history->changes_of_instructions(name);
+  };
 }
 
 int all_processors() {
   return std::max(1, static_cast<int>(allowed_processors().size()));
 }
 
-InstructionReport counted_report(const BenchInstructionsOptions& options, const Side& base,
-                                 const Side& other) {
-  const fs::path accepted_file =
-      options.accepted.empty()
-          ? source_tree() / "benchmarks" / "baselines" / "accepted_instructions.toml"
-          : fs::path(options.accepted);
-  const std::vector<AcceptedIncrease> accepted = read_accepted_increases(accepted_file);
+InstructionReport counted_report(const BenchInstructionsOptions& options, const Files& files,
+                                 const Side& base, const Side& other) {
   WorkerClient base_client = client_of(base), other_client = client_of(other);
   const Chosen names = chosen(options, base_client.describe(), other_client.describe());
   const bool is_same = base.origin.program_digest == other.origin.program_digest;
-  const auto wrong =
-      is_same ? std::map<std::string, std::string>() : objections(other_client, names.in_new);
+  const auto answers =
+      is_same ? std::map<std::string, VerifiedBenchmark>() : verified(other_client, names.in_new);
   const std::vector<CountedPair> pairs = count_pairs(
       {.base = counted_build(base, names.in_base),
        .other = counted_build(other, names.in_new),
        .is_same_binary = is_same,
        .threads = options.threads > 0 ? options.threads : all_processors(),
        .simulate_cache = options.simulate_cache,
-       .objection_to = [&](const std::string& name) { return is_same ? "" : wrong.at(name); },
-       .earlier_changes = earlier_changes(options.history),
+       .objection_to = [&](const std::string& name) { return answers.at(name).objection; },
+       .verified_answer_of = [&](const std::string& name) { return answers.at(name).answer; },
+       .earlier_changes = earlier_changes(files),
        .show_progress = show_progress,
        .is_interrupted = is_interrupted});
   InstructionReport report{base.origin, other.origin, {}};
   for (const CountedPair& pair : pairs)
-    report.judged.push_back(judge_instructions(pair, accepted, base.origin.commit));
+    report.judged.push_back(judge_instructions(pair, files.accepted, base.origin.commit));
   return report;
 }
 
@@ -174,9 +194,20 @@ void write_files(const BenchInstructionsOptions& options, const std::string& jun
   if (!options.markdown.empty()) write_file_atomically(options.markdown, markdown);
 }
 
+/// A simulated cache is told of where programs were run; where none was, this says so.
+std::string missing_misses(const BenchInstructionsOptions& options,
+                           const InstructionReport& report) {
+  const bool has_misses =
+      std::any_of(report.judged.begin(), report.judged.end(), [](const JudgedInstructions& one) {
+        return one.pair.base.totals.misses || one.pair.other.totals.misses;
+      });
+  if (!options.simulate_cache || has_misses) return "";
+  return "--cache: no benchmark was run, so no misses were counted\n";
+}
+
 int without_base(const BenchInstructionsOptions& options, const std::string& reason) {
   if (!options.allow_no_base) throw NothingSelected(reason + " (--allow-no-base lets this pass)");
-  write_files(options, gate_junit("instructions", {{"base", GateOutcome::skipped, reason}}),
+  write_files(options, gate_junit("bench instructions", {{"base", GateOutcome::skipped, reason}}),
               "**phytobench bench instructions:** " + reason + "\n");
   const nlohmann::ordered_json json{{"schema", "phytobench/instructions-1"},
                                     {"base", nullptr},
@@ -190,15 +221,17 @@ int without_base(const BenchInstructionsOptions& options, const std::string& rea
 
 int bench_instructions(const BenchInstructionsOptions& options) {
   catch_interrupts();
+  refuse_unwritable_files({options.junit, options.markdown});
+  const Files files = read_files(options);
   const SideContext context = side_context();
   const Side other = new_side(options, context);
   std::string reason;
   const std::optional<Side> base = base_side(options, context, other, reason);
   if (!base) return without_base(options, reason);
-  const InstructionReport report = counted_report(options, *base, other);
+  const InstructionReport report = counted_report(options, files, *base, other);
   clear_progress();
   write_files(options, instruction_junit(report), instruction_markdown(report));
-  std::string text = instruction_table(report);
+  std::string text = instruction_table(report) + missing_misses(options, report);
   for (const std::string& note :
        differences_of_sides({.base = base->origin, .other = other.origin}))
     text += note + "\n";

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "benchmarks/comparison/instrument_check.hpp"
 #include "benchmarks/comparison/measured_result.hpp"
 #include "benchmarks/comparison/processor_split.hpp"
 #include "benchmarks/comparison/revision_build.hpp"
@@ -12,6 +13,7 @@
 #include "benchmarks/comparison/worker_client.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_values.hpp"
+#include "cli/output_files.hpp"
 #include "cli/plugin_sides.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
@@ -34,8 +36,9 @@ Side named_side(const BenchMeasureOptions& options) {
                         : resolve_side(options.side, context);
   if (side.origin.kind == "result")
     throw InputError(options.side + ": is a result; name a build, a revision or a plugin");
-  return built_side(side, context,
-                    {.show_progress = show_progress, .is_interrupted = is_interrupted});
+  return built_side(
+      side, context,
+      {.show_progress = show_progress, .tell = tell, .is_interrupted = is_interrupted});
 }
 
 std::vector<std::string> chosen_names(const std::vector<std::string>& all,
@@ -57,9 +60,7 @@ StoredResult measured(const BenchMeasureOptions& options, Side side) {
                                      .sample_ms = options.sample_ms};
   if (split) client_options.processor = split->worker;
   WorkerClient client(side, client_options);
-  if (client.describe().counts_work)
-    throw InputError(title_of(side) +
-                     ": was built with work counters, which take time; measure another build");
+  refuse_to_time_counters(client.describe(), title_of(side));
   std::vector<std::string> names = chosen_names(names_of(client), options.benchmarks);
   names.push_back(reference_kernel);
   return measure_result({.side = &client,
@@ -97,6 +98,7 @@ std::string table(const StoredResult& result) {
 
 int bench_measure(const BenchMeasureOptions& options) {
   catch_interrupts();
+  refuse_unwritable_files({options.out});
   const Side side = named_side(options);
   if (const std::string failure = failed_trial(side); !failure.empty()) {
     print(failure);

@@ -171,6 +171,7 @@ struct BenchCountersOptions {
   std::string baseline;  ///< file; empty: benchmarks/baselines/counters.json of the sources
   std::string worker;    ///< program or its folder; empty: the one that counts is looked for
   bool accept = false;   ///< writes the file instead of failing
+  std::string out;       ///< JSON file with what was counted and its build; empty: none
   std::string junit;     ///< file; empty: none
   bool json = false;
 };
@@ -215,11 +216,13 @@ struct CompareOptions {
   int samples = 5;                          ///< of each benchmark in each process
   double sample_ms = 10.0;
   std::uint64_t seed = 0;
-  std::string out;           ///< JSON file; empty: none
-  std::string markdown;      ///< file; empty: none
-  std::string junit;         ///< file; empty: none
-  std::string cache;         ///< folder for builds of revisions; empty: build/compare
-  bool time_anyway = false;  ///< even if both programs are the same
+  std::string out;             ///< JSON file; empty: none
+  std::string markdown;        ///< file; empty: none
+  std::string junit;           ///< file; empty: none
+  std::string cache;           ///< folder for builds of revisions; empty: build/compare
+  double plugin_limit = 30.0;  ///< seconds that a call of a plugin may take in its trial, and an
+                               ///< answer where it is timed
+  bool time_anyway = false;    ///< even if both programs are the same
   bool strict = false;
   bool json = false;
   std::string command_line;

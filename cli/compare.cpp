@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "benchmarks/comparison/comparison_report.hpp"
+#include "benchmarks/comparison/instrument_check.hpp"
 #include "benchmarks/comparison/machine_load.hpp"
 #include "benchmarks/comparison/measured_result.hpp"
 #include "benchmarks/comparison/moved_code.hpp"
@@ -20,6 +21,7 @@
 #include "benchmarks/comparison/worker_client.hpp"
 #include "cli/commands.hpp"
 #include "cli/compare_output.hpp"
+#include "cli/output_files.hpp"
 #include "cli/plugin_sides.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
@@ -74,15 +76,9 @@ class Comparison {
         base_(resolve_side(options.base, context_)),
         other_(resolve_side(options.other, context_)) {}
 
-  /// Lines on plugins that are not fit to be timed; empty if all are.
-  std::string failed_trials() const { return failed_trial(base_) + failed_trial(other_); }
-
   ComparisonReport report() {
-    build(base_);
-    build(other_);
-    split_ = processor_split(allowed_processors());  // compilers may use all of them
-    if (split_) runner_.emplace(split_->runner);
-    ComparisonReport report = is_stored(base_) || is_stored(other_) ? stored() : paired();
+    ComparisonReport report = tried();
+    if (report.failed_trials.empty()) report = timed();
     for (const Side* side : {&base_, &other_})
       if (!side->note.empty()) report.notes.push_back(side->note + ".");
     report.environment_json = environment_json(options_.command_line, options_.seed, 1);
@@ -90,10 +86,31 @@ class Comparison {
   }
 
  private:
+  /// Whether plugins are fit to be timed: found out before this process starts a thread.
+  ComparisonReport tried() const {
+    ComparisonReport report;
+    report.timing.measured.base = base_.origin;
+    report.timing.measured.other = other_.origin;
+    report.timing.measured.seed = options_.seed;
+    for (const auto& [role, side] : {std::pair("base", &base_), std::pair("new", &other_)})
+      if (auto failed = trial_of(*side, role, options_.plugin_limit))
+        report.failed_trials.push_back(*std::move(failed));
+    return report;
+  }
+
+  ComparisonReport timed() {
+    build(base_);
+    build(other_);
+    split_ = processor_split(allowed_processors());  // compilers may use all of them
+    if (split_) runner_.emplace(split_->runner);
+    return is_stored(base_) || is_stored(other_) ? stored() : paired();
+  }
+
   void build(Side& side) const {
     side = built_side(side, context_,
                       {.cache = options_.cache,
                        .show_progress = show_progress,
+                       .tell = tell,
                        .is_interrupted = is_interrupted});
   }
 
@@ -102,10 +119,9 @@ class Comparison {
     WorkerClientOptions client_options{.is_interrupted = is_interrupted,
                                        .sample_ms = options_.sample_ms};
     if (split_) client_options.processor = split_->worker;
+    if (side.origin.kind == "plugin") client_options.answer_limit_s = options_.plugin_limit;
     const WorkerDescription description = WorkerClient(side, client_options).describe();
-    if (description.counts_work)
-      throw InputError(title_of(side) +
-                       ": was built with work counters, which take time; compare another build");
+    refuse_to_time_counters(description, title_of(side));
     if (side.origin.compiler.empty()) side.origin.compiler = description.compiler;
     if (side.origin.flags.empty()) side.origin.flags = description.flags;
     return WorkerClient(side, client_options);
@@ -193,6 +209,8 @@ class Comparison {
     measured.base = base.origin;
     measured.other = other.origin;
     measured.seed = options_.seed;
+    if (!is_stored(base_)) report.base_result = std::move(base);
+    if (!is_stored(other_)) report.other_result = std::move(other);
     for (const ConcludedBenchmark& concluded : report.concluded)
       measured.benchmarks.push_back({.name = concluded.name});
     return report;
@@ -223,15 +241,10 @@ class Comparison {
 }  // namespace
 
 int compare(const CompareOptions& options) {
-  refuse_unwritable_files(options);
+  refuse_unwritable_files({options.out, options.markdown, options.junit});
   tolerance_of(options, paired_tolerance_percent);  // refused before anything is built
   catch_interrupts();
-  Comparison comparison(options);
-  if (const std::string failures = comparison.failed_trials(); !failures.empty()) {
-    print(failures);
-    return 1;
-  }
-  const ComparisonReport report = comparison.report();
+  const ComparisonReport report = Comparison(options).report();
   const int code = show_comparison(report, options);
   if (report.timing.was_interrupted) throw Interrupted("what was measured is shown, not judged");
   return code;

@@ -80,6 +80,24 @@ TEST_F(CompareCommand, ExitsWith5UnderStrictWhereTooLittleWasMeasured) {
   EXPECT_THAT(outcome.out, HasSubstr("inconclusive"));
 }
 
+TEST_F(CompareCommand, KeepsWhatItTimedBesideAStoredResult) {
+  ASSERT_EQ(run_line("bench measure overlap/sweep --processes 9 --samples 1 --sample-ms 0.5 "
+                     "--out before.json")
+                .code,
+            0);
+  const Outcome outcome = run({"compare", "before.json", build_, "--benchmarks", "overlap/sweep",
+                               "--samples", "2", "--sample-ms", "0.5", "--out", "c.json"});
+  EXPECT_THAT(outcome.code, AnyOf(0, 1)) << outcome.err;
+  const json results = json::parse(read("c.json"))["results"];
+  EXPECT_TRUE(results["base"].is_null()) << "it is kept already";
+  ASSERT_EQ(results["new"]["schema"], "phytobench/result-1");
+  ASSERT_EQ(results["new"]["benchmarks"].size(), 1u);
+  EXPECT_EQ(results["new"]["benchmarks"][0]["processes"].size(), 12u);
+  EXPECT_EQ(results["new"]["benchmarks"][0]["processes"][0].size(), 2u);
+  write("new.json", results["new"].dump());
+  EXPECT_EQ(run_line("compare new.json new.json").code, 0) << "it is a side like any other";
+}
+
 TEST_F(CompareCommand, RefusesWhatIsNoSide) {
   const Outcome outcome = run_line("compare no-such-side HEAD");
   EXPECT_EQ(outcome.code, 2);
@@ -95,6 +113,7 @@ TEST_F(CompareCommand, RefusesOptionsThatMakeNoSense) {
   expect_refused_comparison({"--tolerance", "0"}, "tolerance");
   expect_refused_comparison({"--tolerance", "-3"}, "tolerance");
   expect_refused_comparison({"--budget", "-1"}, "--budget");
+  expect_refused_comparison({"--plugin-limit", "0"}, "--plugin-limit");
   expect_refused_comparison({"--benchmarks", "tree/nonesuch"}, "unknown benchmark");
   expect_refused(compare({"--benchmarks", "nonesuch*"}), 4, "nonesuch");
   expect_refused_comparison({"--out", "a", "--junit", "./a"}, "two documents");

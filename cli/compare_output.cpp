@@ -2,8 +2,6 @@
 #include "cli/compare_output.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <set>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,20 +12,18 @@
 #include "benchmarks/comparison/effects_table.hpp"
 #include "benchmarks/comparison/plain_text.hpp"
 #include "cli/terminal.hpp"
-#include "core/contract/errors.hpp"
 #include "core/contract/text_file.hpp"
 
 namespace phytobench::cli {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 std::string line_of(const std::string& text) {
   return one_line(text, 1000) + "\n";
 }
 
 int exit_code_of(const ComparisonReport& report, bool is_strict) {
+  if (!report.failed_trials.empty()) return 1;
   const auto count = [&](SpeedVerdict verdict) { return count_of(report, verdict); };
   if (count(SpeedVerdict::slower) + count(SpeedVerdict::wrong_answer) > 0) return 1;
   // What base has and was not measured is no pass.
@@ -41,26 +37,17 @@ int exit_code_of(const ComparisonReport& report, bool is_strict) {
 
 }  // namespace
 
-void refuse_unwritable_files(const CompareOptions& options) {
-  std::set<fs::path> files;
-  for (const std::string& name : {options.out, options.markdown, options.junit}) {
-    if (name.empty()) continue;
-    const fs::path file = fs::path(name).lexically_normal();
-    std::error_code ignored;
-    if (fs::is_directory(file, ignored))
-      throw InputError(name + ": is a folder; name a file to write to");
-    if (!files.insert(file).second)
-      throw InputError(name + ": is given for two documents; name a file for each");
-    if (file.has_parent_path()) make_folder(file.parent_path());
-  }
-}
-
 std::string comparison_text(const ComparisonReport& report) {
   const Measured& measured = report.timing.measured;
   std::string text =
       line_of(side_in_words("base", measured.base)) + line_of(side_in_words("new", measured.other));
   for (const std::string& sentence : differences_of_sides(measured)) text += line_of(sentence);
   for (const std::string& note : report.notes) text += line_of(note);
+  if (!report.failed_trials.empty()) {
+    text += "\n" + summary_in_words(report) + "\n";
+    for (const FailedTrial& failed : report.failed_trials) text += line_of(in_words(failed));
+    return text;
+  }
   const EffectsTable table = effects_table(report);
   text += "\n" + table.heading;
   for (const std::string& row : table.rows) text += row;

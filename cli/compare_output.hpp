@@ -9,15 +9,13 @@
 
 namespace phytobench::cli {
 
-/// Throws InputError where the files of --out, --markdown and --junit cannot be written, or are
-/// one: before minutes are spent on what goes into them.
-void refuse_unwritable_files(const CompareOptions& options);
-
-/// Both sides, in what they differ, the table of effects, counts and advice.
+/// Both sides, in what they differ, and which plugin failed its trial or else the table of effects,
+/// counts and advice.
 std::string comparison_text(const ComparisonReport& report);
 
-/// Writes files and standard output. Returns the exit code: 1 if something is slower or has a wrong
-/// answer, 4 if no benchmark was measured, 5 with --strict if something is inconclusive, else 0.
+/// Writes files and standard output. Returns the exit code: 1 if something is slower, has a wrong
+/// answer or failed its trial, 4 if no benchmark was measured, 5 with --strict if something is
+/// inconclusive, else 0.
 int show_comparison(const ComparisonReport& report, const CompareOptions& options);
 
 }  // namespace phytobench::cli

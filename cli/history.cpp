@@ -115,15 +115,30 @@ int save_run(const HistoryOptions& options) {
   return 0;
 }
 
+enum class Quantities { all, can_be_chosen };
+
 struct Action {
   const char* name;
   std::size_t fewest_names;
   std::size_t most_names;
+  Quantities quantities;
   int (*run)(const HistoryOptions&);
 };
-constexpr Action actions[] = {{"list", 0, 0, list_runs},    {"show", 1, 1, show_history},
-                              {"plot", 1, 1, plot_history}, {"append", 1, 100, append_run},
-                              {"save", 1, 1, save_run},     {"compare", 1, 2, compare_history}};
+constexpr Action actions[] = {{"list", 0, 0, Quantities::all, list_runs},
+                              {"show", 1, 1, Quantities::can_be_chosen, show_history},
+                              {"plot", 1, 1, Quantities::can_be_chosen, plot_history},
+                              {"append", 1, 100, Quantities::all, append_run},
+                              {"save", 1, 1, Quantities::all, save_run},
+                              {"compare", 1, 2, Quantities::can_be_chosen, compare_history}};
+
+/// Options of other actions, which this one would pass over in silence.
+void refuse_idle_options(const HistoryOptions& options, const Action& action) {
+  if (!options.out.empty() && options.action != "plot")
+    throw InputError("--out goes with history plot only");
+  if (!options.quantity.empty() && action.quantities == Quantities::all)
+    throw InputError("--quantity " + options.quantity +
+                     ": goes with history show, plot and compare only");
+}
 
 }  // namespace
 
@@ -136,8 +151,7 @@ int history(const HistoryOptions& options) {
     if (names < action.fewest_names || names > action.most_names)
       throw InputError(fmt::format("history {} with {} more word{}; {}", action.name, names,
                                    names == 1 ? "" : "s", usage));
-    if (!options.out.empty() && options.action != "plot")
-      throw InputError("--out goes with history plot only");
+    refuse_idle_options(options, action);
     return action.run(options);
   }
   throw InputError("history cannot '" + options.action + "'" + did_you_mean(options.action, known) +

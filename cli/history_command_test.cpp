@@ -91,6 +91,19 @@ TEST_F(History, SavesAndComparesBaselines) {
   expect_refused({"history", "compare", "9"}, 2, "no run 9");
 }
 
+TEST_F(History, ComparesOneQuantityAlone) {
+  append_two();
+  EXPECT_THAT(output_of({"history", "compare", "1", "2", "--quantity", "instructions"}),
+              HasSubstr("1 of 2 values differ"));
+  expect_refused({"history", "compare", "1", "2", "--quantity", "instruction"}, 2,
+                 "'instruction' is no quantity");
+  expect_refused({"history", "compare", "1", "2", "--quantity", "ratio"}, 2,
+                 "'1' has no ratio; it has instructions");
+  for (const char* action : {"list", "append 1.json", "save v1"})
+    expect_refused_line(std::string("history ") + action + " --quantity nothing",
+                        "--quantity nothing: goes with history show, plot and compare only");
+}
+
 TEST_F(History, RatiosOfOtherMachinesAreNotCompared) {
   write("1.json", result("aaa", "Model 1", "0.5"));
   write("2.json", result("bbb", "Model 2", "0.75"));

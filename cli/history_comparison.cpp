@@ -3,11 +3,13 @@
 
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "benchmarks/history/history_file.hpp"
@@ -15,6 +17,7 @@
 #include "cli/option_values.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
+#include "core/contract/suggestion.hpp"
 
 namespace phytobench::cli {
 
@@ -34,16 +37,41 @@ HistoryRun run_named(const HistoryFile& file, const std::string& name) {
   throw InputError("there is no run " + name + "; see phytobench history list");
 }
 
+bool is_wanted(const HistoryOptions& options, const HistoryValue& value) {
+  return options.quantity.empty() || value.quantity().text() == options.quantity;
+}
+
+/// Of a run: those of the quantity that was asked for.
+std::vector<HistoryValue> wanted_values(const HistoryOptions& options, const HistoryFile& file,
+                                        const HistoryRun& run) {
+  std::vector<HistoryValue> values = file.values(run.id);
+  std::erase_if(values, [&](const HistoryValue& value) { return !is_wanted(options, value); });
+  return values;
+}
+
+/// The run that all others are compared with must have it.
+void refuse_unknown_quantity(const HistoryOptions& options, const HistoryFile& file,
+                             const HistoryRun& run) {
+  std::set<std::string> known;
+  for (const HistoryValue& value : file.values(run.id)) known.insert(value.quantity().text());
+  if (options.quantity.empty() || known.contains(options.quantity)) return;
+  HistoryQuantity::named(options.quantity);  // says what a quantity can be
+  const std::vector<std::string> all(known.begin(), known.end());
+  throw InputError(fmt::format("'{}' has no {}{}; it has {}", options.names.front(),
+                               options.quantity, did_you_mean(options.quantity, all),
+                               fmt::join(all, ", ")));
+}
+
 struct Compared {
   HistoryRun before;
   HistoryRun after;
   HistoryChanges changes;
 };
 
-std::optional<Compared> compared(const HistoryFile& file, const HistoryRun& before,
-                                 const HistoryRun& after) {
-  HistoryChanges changes =
-      changes_between(before, file.values(before.id), after, file.values(after.id));
+std::optional<Compared> compared(const HistoryOptions& options, const HistoryFile& file,
+                                 const HistoryRun& before, const HistoryRun& after) {
+  HistoryChanges changes = changes_between(before, wanted_values(options, file, before), after,
+                                           wanted_values(options, file, after));
   if (changes.values.empty()) return std::nullopt;
   return Compared{before, after, std::move(changes)};
 }
@@ -51,17 +79,20 @@ std::optional<Compared> compared(const HistoryFile& file, const HistoryRun& befo
 Compared compared(const HistoryOptions& options) {
   const HistoryFile file(options.file, HistoryAccess::read);
   const HistoryRun before = run_named(file, options.names.front());
+  refuse_unknown_quantity(options, file, before);
   if (options.names.size() > 1) {
-    if (auto result = compared(file, before, run_named(file, options.names[1]))) return *result;
+    if (auto result = compared(options, file, before, run_named(file, options.names[1])))
+      return *result;
   } else {
     const std::vector<HistoryRun> runs = file.runs();
     for (auto run = runs.rbegin(); run != runs.rend(); ++run)
       if (run->id != before.id)
-        if (auto result = compared(file, before, *run)) return *result;
+        if (auto result = compared(options, file, before, *run)) return *result;
   }
-  throw NothingSelected(fmt::format(
-      "{} has no value in common with {}; ratios count within one kind of machine only",
-      options.names.front(), options.names.size() > 1 ? options.names[1] : "any other run"));
+  throw NothingSelected(
+      fmt::format("{} has no {} in common with {}; ratios count within one kind of machine only",
+                  options.names.front(), options.quantity.empty() ? "value" : options.quantity,
+                  options.names.size() > 1 ? options.names[1] : "any other run"));
 }
 
 std::string run_text(const HistoryRun& run) {

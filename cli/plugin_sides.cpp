@@ -11,14 +11,26 @@
 
 namespace phytobench::cli {
 
+std::optional<FailedTrial> trial_of(const Side& side, const std::string& role,
+                                    double call_limit_s) {
+  if (side.origin.kind != "plugin") return std::nullopt;
+  const PluginVerdict verdict =
+      try_plugin(side.file, {.silence_s = call_limit_s, .is_interrupted = is_interrupted});
+  if (verdict.is_exact()) return std::nullopt;
+  if (verdict.kind == PluginVerdict::Kind::refused)
+    throw InputError(
+        fmt::format("{}: {}: {}", side.origin.given, name_of(verdict.kind), verdict.detail));
+  return FailedTrial{.side = role,
+                     .given = side.origin.given,
+                     .verdict = std::string(name_of(verdict.kind)),
+                     .detail = verdict.detail};
+}
+
 std::string failed_trial(const Side& side) {
-  if (side.origin.kind != "plugin") return "";
-  const PluginVerdict verdict = try_plugin(side.file, {.is_interrupted = is_interrupted});
-  if (verdict.is_exact()) return "";
-  const std::string text =
-      fmt::format("{}: {}: {}", side.origin.given, name_of(verdict.kind), verdict.detail);
-  if (verdict.kind == PluginVerdict::Kind::refused) throw InputError(text);
-  return text + "; nothing is timed\n";
+  const std::optional<FailedTrial> failed = trial_of(side, "");
+  return failed ? fmt::format("{}: {}: {}; nothing is timed\n", failed->given, failed->verdict,
+                              failed->detail)
+                : "";
 }
 
 std::vector<std::string> names_of(WorkerClient& client) {

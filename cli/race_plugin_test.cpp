@@ -89,20 +89,74 @@ TEST_F(RacePlugin, SaysInItsRowWhyThereIsNoTime) {
   EXPECT_THAT(outcome.out, HasSubstr("\nnode_driven dn ")) << "the others are raced all the same";
 }
 
-// It was right on small trees.
-TEST_F(RacePlugin, MayStillCrashInTheRaceItself) {
-  const Outcome outcome = race(faulty("late_crash"), " --json", 6000);
+// They were right on small trees; the race of the others must come to its end.
+TEST_F(RacePlugin, MayStillFailInTheRaceItself) {
+  struct Case {
+    const char* name;
+    const char* verdict;
+    const char* what;
+    const char* detail;
+  };
+  for (const Case& late : {Case{"late_crash", "crashed", "crashed", "SIGSEGV in create()"},
+                           Case{"dies_when_timed", "crashed", "crashed", "SIGSEGV in create()"},
+                           Case{"changes_when_timed", "wrong", "answered wrongly",
+                                "grew another tree while it was timed"}}) {
+    SCOPED_TRACE(late.name);
+    const Outcome outcome = race(faulty(late.name) + "," + good(), " --json", 6000);
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(line_count(outcome.err), 1) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(std::string(late.name) + ".so' " + late.what +
+                                       " while it was raced: " + late.detail));
+    EXPECT_THAT(outcome.err, HasSubstr("; the race is restarted without it"));
+    const json document = json::parse(outcome.out);
+    ASSERT_EQ(document["engines"].size(), 3u);
+    EXPECT_EQ(document["engines"][0]["state"], "timed");
+    EXPECT_EQ(entry_of(document, good())["state"], "timed");
+    const json entry = entry_of(document, faulty(late.name));
+    EXPECT_EQ(entry["state"], "failed race");
+    EXPECT_EQ(entry["trial"]["verdict"], "exact");
+    EXPECT_EQ(entry["race"]["verdict"], late.verdict);
+    EXPECT_THAT(text_at(entry["race"], "detail"), HasSubstr(late.detail));
+    EXPECT_THAT(text_at(entry["race"], "detail"), HasSubstr("the race was restarted without it"));
+    EXPECT_TRUE(entry["median_s"].is_null());
+  }
+}
+
+TEST_F(RacePlugin, SaysInItsRowThatTheRaceWasRestarted) {
+  const Outcome outcome =
+      race(faulty("dies_when_timed") + "," + faulty("changes_when_timed"), "", 6000);
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_THAT(outcome.err,
-              HasSubstr("late_crash.so' crashed while it was raced: SIGSEGV in create()"));
-  EXPECT_EQ(line_count(outcome.err), 1) << outcome.err;
+  EXPECT_EQ(line_count(outcome.err), 2) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\nnode_driven dn "));
+  EXPECT_THAT(outcome.out,
+              testing::ContainsRegex("\ndies_when_timed.so +no time, crashed in the race: SIGSEGV "
+                                     "in create\\(\\); the race was restarted without it\n"));
+  EXPECT_THAT(outcome.out,
+              testing::ContainsRegex("\nchanges_when_timed.so +no time, wrong in the race: grew "));
 }
 
 TEST_F(RacePlugin, MayStillAnswerNonsenseInTheRaceItself) {
   const Outcome outcome = race(faulty("late_failure"), "", 6000);
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.out + outcome.err, HasSubstr("create() failed: out of memory"));
+  EXPECT_THAT(outcome.out, HasSubstr("create() failed: out of memory"));
+  EXPECT_THAT(outcome.out, HasSubstr("\nnode_driven dn "));
+}
+
+TEST_F(RacePlugin, GetsNoTimeIfItChangesHowOthersRound) {
+  const Outcome outcome = race(faulty("flushes_denormals"));
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("changes the floating-point environment"));
+  EXPECT_THAT(outcome.out, HasSubstr("\nnode_driven dn ")) << "the others are raced all the same";
+}
+
+// Ends of children must be seen whatever the caller does about its own.
+TEST_F(RacePlugin, IsWaitedForEvenIfEndsOfChildrenAreIgnored) {
+  const auto before = std::signal(SIGCHLD, SIG_IGN);
+  const pid_t child = start({"race", "nearest-node", "--engines", "node_driven", "--options", "dn",
+                             "--rounds", "1", "--points", "1500", "--plugin", good()},
+                            folder(), folder() / "out", folder() / "err");
+  std::signal(SIGCHLD, before);  // inherited by the program, but this process waits for it
+  EXPECT_EQ(exit_code_of(child), 0);
 }
 
 TEST_F(RacePlugin, IsRefusedInOneLine) {

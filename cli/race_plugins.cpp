@@ -14,19 +14,64 @@ namespace phytobench::cli {
 
 namespace {
 
+/// Follows what a plugin did in the race.
+constexpr const char* restarted = "; the race was restarted without it";
+
 /// Tells the parent that the output is a plugin's nonsense; no exit code of the work.
 constexpr int misbehaved_code = 99;
 
-const char* what_it_did(const SupervisedRun& run) {
-  if (run.end == SupervisedRun::End::silence) return "hung while it was raced";
-  if (run.end != SupervisedRun::End::finished) return "crashed while it was raced";
-  return "answered nonsense while it was raced";
+const char* what_it_did(PluginVerdict::Kind kind) {
+  switch (kind) {
+    case PluginVerdict::Kind::hangs:
+      return "hung";
+    case PluginVerdict::Kind::crashed:
+      return "crashed";
+    default:
+      return "answered wrongly";
+  }
 }
 
 /// The progress line of a process that is gone still stands there.
 void clear_line_of_child() {
   show_progress("");
   clear_progress();
+}
+
+SupervisedRun attempt(const SupervisionLimits& limits, const SupervisedWork& work) {
+  return run_supervised(
+      [&](PluginPulse& pulse, std::string& output) {
+        try {
+          const int code = work(pulse, output);
+          clear_progress();
+          return code;
+        } catch (const PluginMisbehaved& misbehaved) {
+          output = misbehaved.what();
+          return misbehaved_code;
+        }
+      },
+      limits);
+}
+
+bool is_done(const SupervisedRun& run) {
+  return run.end == SupervisedRun::End::finished && run.code != misbehaved_code;
+}
+
+/// Notes the failure of the plugin that was called last.
+void note_failure(const SupervisedRun& run, std::vector<TriedPlugin>& tried,
+                  const SupervisionLimits& limits) {
+  const PluginVerdict failure =
+      run.end == SupervisedRun::End::finished
+          ? PluginVerdict{.kind = PluginVerdict::Kind::wrong, .engine = {}, .detail = run.output}
+          : verdict_on_unfinished(run, limits);
+  const auto number = static_cast<std::size_t>(run.plugin);
+  if (run.call == PluginCall::none || number >= tried.size() || !tried[number].is_raced())
+    throw EnvironmentError("the race ended, though no plugin was at work: " + failure.detail);
+  TriedPlugin& plugin = tried[number];
+  plugin.failed_in_race = failure;
+  plugin.failed_in_race->engine = plugin.verdict.engine;
+  std::fprintf(stderr, "phytobench: plugin '%s' %s while it was raced: %s; %s\n",
+               plugin.file.c_str(), what_it_did(failure.kind), failure.detail.c_str(),
+               "the race is restarted without it");
 }
 
 }  // namespace
@@ -57,71 +102,57 @@ std::string verdict_lines(const std::vector<TriedPlugin>& tried) {
   return text;
 }
 
-const TriedPlugin* exact_plugin(const std::vector<TriedPlugin>& tried, std::string_view engine) {
+const TriedPlugin* raced_plugin(const std::vector<TriedPlugin>& tried, std::string_view engine) {
   for (const TriedPlugin& plugin : tried)
-    if (plugin.verdict.is_exact() && plugin.verdict.engine == engine) return &plugin;
+    if (plugin.is_raced() && plugin.verdict.engine == engine) return &plugin;
   return nullptr;
 }
 
-bool all_exact(const std::vector<TriedPlugin>& tried) {
+bool all_raced(const std::vector<TriedPlugin>& tried) {
   return std::all_of(tried.begin(), tried.end(),
-                     [](const TriedPlugin& plugin) { return plugin.verdict.is_exact(); });
+                     [](const TriedPlugin& plugin) { return plugin.is_raced(); });
 }
 
 void put_plugin(nlohmann::ordered_json& entry, const TriedPlugin& plugin) {
   entry["plugin"] = plugin.file;
   entry["trial"] = {{"verdict", name_of(plugin.verdict.kind)}, {"detail", plugin.verdict.detail}};
+  if (!plugin.failed_in_race) return;
+  entry["race"] = {{"verdict", name_of(plugin.failed_in_race->kind)},
+                   {"detail", plugin.failed_in_race->detail + restarted}};
 }
 
 std::string failed_lines(const std::vector<TriedPlugin>& tried) {
   std::string text;
   for (const TriedPlugin& plugin : tried) {
-    if (plugin.verdict.is_exact()) continue;
+    if (plugin.is_raced()) continue;
     const std::string name = std::filesystem::path(plugin.file).filename().string();
-    text += fmt::format("{:<29} no time, {}: {}\n", name, name_of(plugin.verdict.kind),
-                        plugin.verdict.detail);
+    text += fmt::format("{:<29} no time, {}{}: {}{}\n", name, name_of(plugin.failure().kind),
+                        plugin.failed_in_race ? " in the race" : "", plugin.failure().detail,
+                        plugin.failed_in_race ? restarted : "");
   }
   return text;
 }
 
-std::vector<std::unique_ptr<EnginePlugin>> load_exact(const std::vector<TriedPlugin>& tried,
+std::vector<std::unique_ptr<EnginePlugin>> load_raced(const std::vector<TriedPlugin>& tried,
                                                       PluginPulse& pulse) {
   std::vector<std::unique_ptr<EnginePlugin>> loaded;
   for (std::size_t i = 0; i < tried.size(); ++i)
-    if (tried[i].verdict.is_exact())
+    if (tried[i].is_raced())
       loaded.push_back(std::make_unique<EnginePlugin>(
           tried[i].file, PluginWatch{.pulse = &pulse, .plugin = static_cast<std::int32_t>(i)}));
   return loaded;
 }
 
-int run_with_plugins(const std::vector<TriedPlugin>& tried, const SupervisionLimits& limits,
+int run_with_plugins(std::vector<TriedPlugin>& tried, const SupervisionLimits& limits,
                      const SupervisedWork& work) {
-  const SupervisedRun run = run_supervised(
-      [&](PluginPulse& pulse, std::string& output) {
-        try {
-          const int code = work(pulse, output);
-          clear_progress();
-          return code;
-        } catch (const PluginMisbehaved& misbehaved) {
-          output = misbehaved.what();
-          return misbehaved_code;
-        }
-      },
-      limits);
-  if (run.end == SupervisedRun::End::finished && run.code != misbehaved_code) {
-    print(run.output);
-    return run.code;
+  SupervisedRun run = attempt(limits, work);
+  while (!is_done(run)) {
+    clear_line_of_child();
+    note_failure(run, tried, limits);
+    run = attempt(limits, work);
   }
-  clear_line_of_child();
-  const std::string where =
-      run.end == SupervisedRun::End::finished ? run.output : described(run, limits);
-  // Without a call of a plugin it was this program's own fault.
-  const std::string who =
-      run.call == PluginCall::none
-          ? "the race"
-          : "plugin '" + tried.at(static_cast<std::size_t>(run.plugin)).file + "'";
-  std::fprintf(stderr, "phytobench: %s %s: %s\n", who.c_str(), what_it_did(run), where.c_str());
-  return 1;
+  print(run.output);
+  return run.code;
 }
 
 }  // namespace phytobench::cli

@@ -28,13 +28,20 @@ std::string share_text(const Estimate& share) {
                      100.0 * share.high);
 }
 
-std::string alike_text(const InstrumentCheck& check) {
-  if (check.alike.all() == 0) return "This build against itself: no comparison was made\n";
-  return fmt::format(
-      "This build against itself, {} comparisons: {} same, {} inconclusive, {} slower, {} faster\n"
-      "  false alarms: {}, at most {:.0f} % are allowed\n",
-      check.alike.all(), check.alike.same, check.alike.inconclusive, check.alike.slower,
-      check.alike.faster, share_text(false_alarms(check)), 100.0 * most_false_alarms);
+std::string counts_text(const VerdictTally& tally) {
+  return fmt::format("{} comparisons: {} same, {} inconclusive, {} slower, {} faster\n",
+                     tally.all(), tally.same, tally.inconclusive, tally.slower, tally.faster);
+}
+
+std::string equal_sides_text(const InstrumentCheck& check) {
+  if (check.alike.all() + check.usual.all() == 0)
+    return "This build against itself: no comparison was made\n";
+  std::string text = "This build against itself, " + counts_text(check.alike);
+  if (check.wanted_usual > 0)
+    text += fmt::format("The same as compare does it, with {} benchmarks in each, {}",
+                        check.usual_names.size(), counts_text(check.usual));
+  return text + fmt::format("  false alarms: {}, at most {:.0f} % are allowed\n",
+                            share_text(false_alarms(check)), 100.0 * most_false_alarms);
 }
 
 std::string handicapped_text(const InstrumentCheck& check) {
@@ -58,9 +65,12 @@ std::string selftest_json(const InstrumentCheck& check, const InstrumentVerdict&
                     {"state", name_of(verdict.state)},
                     {"reasons", verdict.reasons}};
   json["alike"] = tally_json(check.alike, check.wanted_alike);
+  json["usual"] = tally_json(check.usual, check.wanted_usual);
+  json["usual"]["benchmarks"] = check.usual_names;
   json["handicapped"] = tally_json(check.handicapped, check.wanted_handicapped);
   json["false_alarms"] = nullptr;
-  if (check.alike.all() > 0) json["false_alarms"] = share_json(false_alarms(check));
+  if (check.alike.all() + check.usual.all() > 0)
+    json["false_alarms"] = share_json(false_alarms(check));
   json["found_handicaps"] = nullptr;
   if (check.handicapped.all() > 0) json["found_handicaps"] = share_json(found_handicaps(check));
   json["handicap"] = check.handicap;
@@ -84,9 +94,10 @@ std::string selftest_text(const InstrumentCheck& check, const InstrumentVerdict&
   for (const RefusalCheck& refusal : check.refusals)
     text += fmt::format("{:<26} {}: {}\n", refusal.benchmark,
                         refusal.is_refused ? "as demanded" : "NOT AS DEMANDED", refusal.found);
-  text += alike_text(check) + handicapped_text(check);
+  text += equal_sides_text(check) + handicapped_text(check);
   text += fmt::format(
-      "Equal things differ by up to {:.1f} % on this machine (median over all comparisons)\n"
+      "Equal things differ by up to {:.1f} % on this machine (median over the comparisons of fixed "
+      "work)\n"
       "{:.0f} s\n\nThe instrument is {}.\n",
       100.0 * check.noise_floor, check.seconds, name_of(verdict.state));
   for (const std::string& reason : verdict.reasons) text += "  " + reason + "\n";

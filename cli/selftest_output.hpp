@@ -10,7 +10,8 @@
 namespace phytobench::cli {
 
 /// Schema phytobench/selftest-1: state (proven, not proven, broken), reasons; alike and handicapped
-/// {wanted, compared, slower, faster, same, inconclusive, other}; false_alarms and
+/// {wanted, compared, slower, faster, same, inconclusive, other}; usual, the same with
+/// benchmarks, their names, that one comparison is made of; false_alarms of alike and usual and
 /// found_handicaps {share, low, high}, with exact 95 % intervals, or null without comparisons;
 /// handicap and found_handicap, the median that was seen of it, as shares; noise_floor, a share;
 /// refusals [{benchmark, demanded, found, refused}]; seed, seconds, environment.

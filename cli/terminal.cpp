@@ -44,6 +44,11 @@ void clear_progress() {
   line_shown = false;
 }
 
+void tell(const std::string& line) {
+  clear_progress();
+  std::fprintf(stderr, "phytobench: %s\n", line.c_str());
+}
+
 void catch_interrupts() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);

@@ -11,6 +11,9 @@ void show_progress(const std::string& line);
 /// Takes the progress line away, before other output.
 void clear_progress();
 
+/// Shows one line that stays, on standard error.
+void tell(const std::string& line);
+
 /// Makes Ctrl-C set a flag instead of killing the program. A second Ctrl-C kills.
 void catch_interrupts();
 bool is_interrupted();

@@ -56,9 +56,9 @@ foreach(package IN LISTS packages)
     give_up("${package} names a folder of this build")
   endif()
 endforeach()
-foreach(header include/phytobench_engine.h include/phytobench/core/overlap/lens.hpp)
-  if(NOT EXISTS ${prefix}/${header})
-    give_up("${header} was not installed")
+foreach(file include/phytobench_engine.h include/phytobench/core/overlap/lens.hpp share/phytobench/examples/plugin/README.md)
+  if(NOT EXISTS ${prefix}/${file})
+    give_up("${file} was not installed")
   endif()
 endforeach()
 
@@ -84,6 +84,34 @@ must_run("the example" output ${folder}/build/consumer)
 must_match("the example" "${output}" "node_driven and squared_scan grow the same tree of [1-9][0-9]+ edges")
 must_match("the example" "${output}" "discs 0 and 1 share 1\\.228369698609")
 must_match("the example" "${output}" "2 of 3 pairs overlap")
+
+# A plugin, from the example as it was installed. It must not need a package that the library was built with.
+set(own_plugin ${folder}/plugin-build/nearest_scan.so)
+file(COPY ${prefix}/share/phytobench/examples/plugin DESTINATION ${folder})
+set(configure_plugin ${CMAKE_COMMAND} -G ${GENERATOR} -D CMAKE_MAKE_PROGRAM=${MAKE_PROGRAM} -D CMAKE_PREFIX_PATH=${prefix})
+foreach(package fmt TBB OpenSSL nlohmann_json tomlplusplus hwy)
+  list(APPEND configure_plugin -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
+must_run("configuring the plugin" ignored ${configure_plugin} -S ${folder}/plugin -B ${folder}/plugin-build)
+must_run("building the plugin" output ${CMAKE_COMMAND} --build ${folder}/plugin-build --verbose)
+must_match("building the plugin" "${output}" "-ffp-contract=off")
+must_match("building the plugin" "${output}" "${prefix}/include")
+must_run("racing the plugin" output ${program} race nearest-node --plugin ${own_plugin} --engines node_driven --options dn
+         --points 500 --rounds 1)
+must_match("racing the plugin" "${output}" "nearest_scan.so: exact")
+
+# Without components, and for the library, those packages are wanted.
+file(WRITE ${folder}/whole/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)\nproject(whole LANGUAGES CXX)\n"
+     "find_package(phytobench 0.1 QUIET CONFIG COMPONENTS \${WANTED})\n"
+     "message(\"found: \${phytobench_FOUND}, \${phytobench_NOT_FOUND_MESSAGE}\")\n")
+set(ask ${CMAKE_COMMAND} -G ${GENERATOR} -D CMAKE_MAKE_PROGRAM=${MAKE_PROGRAM} -D CMAKE_CXX_COMPILER=${COMPILER}
+    -D CMAKE_PREFIX_PATH=${prefix} -S ${folder}/whole)
+must_run("asking for core" output ${ask} -B ${folder}/whole-core -D WANTED=core)
+must_match("asking for core" "${output}" "found: (1|TRUE)")
+must_run("asking for core without fmt" output ${ask} -B ${folder}/whole-less -D WANTED=core -D CMAKE_DISABLE_FIND_PACKAGE_fmt=ON)
+must_match("asking for core without fmt" "${output}" "found: (0|FALSE)")
+must_run("asking for a roof" output ${ask} -B ${folder}/whole-roof -D WANTED=roof)
+must_match("asking for a roof" "${output}" "found: (0|FALSE)")
 
 # Version 0.1 stands for no other.
 file(WRITE ${folder}/later/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)\nproject(later LANGUAGES NONE)\n"

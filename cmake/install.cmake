@@ -22,8 +22,10 @@ foreach(header IN LISTS headers)
   install(FILES ${header} DESTINATION include/phytobench/${folder} COMPONENT development)
 endforeach()
 install(FILES ${CMAKE_BINARY_DIR}/generated/policy/counting_policy.hpp DESTINATION include/phytobench COMPONENT development)
-# A plugin in C needs this file alone.
+# A plugin in C needs this file alone; the example finds it through the package.
 install(FILES core/nearest_node/plugin/phytobench_engine.h DESTINATION include COMPONENT development)
+install(DIRECTORY examples/plugin DESTINATION share/phytobench/examples COMPONENT development
+        PATTERN faulty EXCLUDE)
 
 # What the library needs when linked, from its own list: a package for each target, and how it is linked. `headers`:
 # nothing, only our sources include them; `link`: linked, not seen; `use`: our headers include it, too.

@@ -54,7 +54,7 @@ class BlockedScan {
       if (!Policy::is_worth_opening(squared_distance_to(blocks_[b].box, point), best)) continue;
       const auto& nodes = Policy::nodes_of(blocks_[b].nodes);
       for (std::size_t i = 0; i < nodes.size(); ++i)
-        for (std::size_t look = 0; look < Policy::looks(i); ++look)
+        for (std::size_t looks = Policy::looks(i); looks > 0; --looks)
           look_at(nodes[i], static_cast<NodeIndex>(b * nodes_of_block + i), point, perception, best,
                   work);
     }

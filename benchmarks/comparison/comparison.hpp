@@ -42,7 +42,8 @@ struct BlockTimes {
 /// All that was measured of one benchmark.
 struct MeasuredBenchmark {
   std::string name;
-  std::string objection;     ///< why nothing was timed; a wrong answer if it is the same work
+  std::string objection;     ///< why nothing was timed; a wrong answer, or none because the worker
+                             ///< died, if it is the same work
   bool is_same_work = true;  ///< false: nothing to compare; inputs or right answers differ, one
                              ///< side does not have it, or a run takes no time
   std::vector<BlockTimes> control;  ///< base against itself
@@ -64,12 +65,13 @@ enum class SpeedVerdict {
   inconclusive,      ///< too noisy to say
   same_binary,       ///< nothing to compare
   nothing_measured,  ///< not a pass
-  wrong_answer,      ///< refused before it was timed
+  wrong_answer,      ///< refused, with all its times; also where new's workers die of it
 };
 
 std::string_view name_of(SpeedVerdict verdict);
 
-/// Why nothing was measured where base is to blame: the benchmark is new, or was wrong before.
+/// Why nothing was measured where base is to blame: the benchmark is new, or was wrong before, or
+/// died before.
 inline constexpr std::string_view only_new_has_it = "base does not have it";
 inline constexpr std::string_view base_is_wrong = "base is wrong: ";  ///< and how
 

@@ -126,6 +126,7 @@ ordered_json run_json(const PairTiming& timing) {
   return {{"seconds", timing.seconds},
           {"redone_blocks", timing.redone_blocks},
           {"busy_blocks", timing.busy_blocks},
+          {"dead_blocks", timing.dead_blocks},
           {"interrupted", timing.was_interrupted}};
 }
 
@@ -136,12 +137,26 @@ ordered_json counts_json(const ComparisonReport& report) {
   return json;
 }
 
+ordered_json trials_json(const std::vector<FailedTrial>& trials) {
+  ordered_json json = ordered_json::array();
+  for (const FailedTrial& failed : trials)
+    json.push_back({{"side", failed.side},
+                    {"given", failed.given},
+                    {"verdict", failed.verdict},
+                    {"detail", failed.detail}});
+  return json;
+}
+
+ordered_json result_json(const std::optional<StoredResult>& result) {
+  return result ? ordered_json::parse(to_json(*result)) : ordered_json(nullptr);
+}
+
 }  // namespace
 
 std::string comparison_json(const ComparisonReport& report) {
   const Measured& measured = report.timing.measured;
   PHYTOBENCH_EXPECT(report.concluded.size() == measured.benchmarks.size());
-  ordered_json json{{"schema", comparison_schema}, {"summary", counts_in_words(report)}};
+  ordered_json json{{"schema", comparison_schema}, {"summary", summary_in_words(report)}};
   json["base"] = origin_json(measured.base);
   json["new"] = origin_json(measured.other);
   json["same_program"] = measured.is_same_program;
@@ -152,7 +167,10 @@ std::string comparison_json(const ComparisonReport& report) {
   json["differences"] = differences_of_sides(measured);
   json["advice"] = advice(report);
   json["notes"] = report.notes;
+  json["failed_trials"] = trials_json(report.failed_trials);
   json["benchmarks"] = benchmarks_json(report);
+  json["results"] = {{"base", result_json(report.base_result)},
+                     {"new", result_json(report.other_result)}};
   json["environment"] = report.environment_json.empty()
                             ? ordered_json(nullptr)
                             : ordered_json::parse(report.environment_json);

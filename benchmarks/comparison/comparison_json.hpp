@@ -5,13 +5,19 @@
 //   seed           of the order of processes and all that they drew
 //   settings       {tolerance, alpha, noise_factor, budget_s, least_blocks, most_blocks, samples,
 //                  sample_ms}
-//   run            {seconds, redone_blocks, busy_blocks, interrupted}
+//   run            {seconds, redone_blocks, busy_blocks, dead_blocks, interrupted}
 //   summary        one line
 //   counts         {slower, faster, same, inconclusive, same_binary, nothing_measured,
-//   wrong_answer} differences    [sentences]: in what the sides differ besides their sources
+//                  wrong_answer}
+//
+//   differences    [sentences]: in what the sides differ besides their sources
 //   advice, notes  [sentences]
+//   failed_trials  [{side, given, verdict, detail}]: plugins that were not fit to be timed; nothing
+//                  was then, and there are no benchmarks
 //   benchmarks     [{name, verdict, reason, objection, same_work, ratio, control, noise_floor, p,
 //                  iterations, blocks, control_blocks}]
+//   results        {base, new}: of a side that was timed alone, because the other one was stored,
+//                  the whole phytobench/result-1 with all samples (stored_result.hpp), else null
 //   environment    as in a run's environment.json, or null
 // ratio and control are {value, low, high}, new / base and base / base with 95 % intervals, or
 // null. noise_floor is a share: 0.01 is one per cent. Blocks are {block, order, redone, log_ratio,

@@ -51,6 +51,34 @@ TEST(ComparisonJson, SaysWhatWasNotMeasured) {
   EXPECT_EQ(document["new"]["changed"], true);
 }
 
+TEST(ComparisonJson, SaysWhichTrialFailedAtWhichStep) {
+  ComparisonReport report;
+  report.failed_trials = {{"new", "b.so", "crashed", "SIGSEGV in associate() in iteration 2"}};
+  const json document = json::parse(comparison_json(report));
+  ASSERT_EQ(document["failed_trials"].size(), 1u);
+  EXPECT_EQ(document["failed_trials"][0]["side"], "new");
+  EXPECT_EQ(document["failed_trials"][0]["given"], "b.so");
+  EXPECT_EQ(document["failed_trials"][0]["verdict"], "crashed");
+  EXPECT_EQ(document["failed_trials"][0]["detail"], "SIGSEGV in associate() in iteration 2");
+  EXPECT_EQ(document["summary"], "new failed its trial, so nothing was timed");
+  EXPECT_TRUE(document["benchmarks"].empty());
+  EXPECT_TRUE(json::parse(comparison_json(example_report()))["failed_trials"].empty());
+}
+
+TEST(ComparisonJson, KeepsWhatWasTimedBesideAStoredResult) {
+  ComparisonReport report = example_report();
+  EXPECT_TRUE(json::parse(comparison_json(report))["results"]["new"].is_null());
+  report.other_result = StoredResult{
+      .origin = {.given = "build", .kind = "build"},
+      .seed = 8,
+      .benchmarks = {{.name = "a", .processes = {{1e-3, 2e-3}, {3e-3}}, .is_by_process = true}}};
+  const json results = json::parse(comparison_json(report))["results"];
+  EXPECT_TRUE(results["base"].is_null());
+  const StoredResult kept = stored_result_from(results["new"].dump(), "results");
+  ASSERT_EQ(kept.benchmarks.size(), 1u);
+  EXPECT_EQ(kept.benchmarks.front().processes, report.other_result->benchmarks.front().processes);
+}
+
 TEST(ComparisonJson, SurvivesNamesThatAreNoText) {
   ComparisonReport report = example_report();
   report.concluded[0].reason = "half \xc3";

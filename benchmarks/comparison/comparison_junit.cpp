@@ -32,6 +32,10 @@ GateOutcome outcome_of(const ConcludedBenchmark& benchmark) {
 
 std::string comparison_junit(const ComparisonReport& report) {
   std::vector<GateCase> cases;
+  for (const FailedTrial& failed : report.failed_trials)
+    cases.push_back({.name = "plugin trial of " + failed.side,
+                     .outcome = GateOutcome::failed,
+                     .message = in_words(failed)});
   for (const ConcludedBenchmark& benchmark : report.concluded)
     cases.push_back(
         {.name = benchmark.name,

@@ -61,6 +61,18 @@ TEST(ComparisonJunit, FailsWhatIsSlowerWrongOrNotMeasured) {
   EXPECT_NE(found.at("engine/faster"), "failure");
 }
 
+TEST(ComparisonJunit, FailsWhatFailedItsTrial) {
+  ComparisonReport report;
+  report.failed_trials = {{"new", "b.so", "crashed", "SIGSEGV in associate() in iteration 2"}};
+  const std::string xml = comparison_junit(report);
+  const Document document = parsed(xml);
+  ASSERT_TRUE(document);
+  const xmlNode* root = xmlDocGetRootElement(document.get());
+  EXPECT_EQ(attribute(root, "failures"), "1");
+  EXPECT_EQ(outcomes(root).at("plugin trial of new"), "failure");
+  EXPECT_NE(xml.find("SIGSEGV in associate() in iteration 2"), std::string::npos);
+}
+
 TEST(ComparisonJunit, IsWellFormedWhateverTheReason) {
   ComparisonReport report = example_report();
   for (ConcludedBenchmark& concluded : report.concluded)

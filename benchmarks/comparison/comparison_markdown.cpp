@@ -87,6 +87,12 @@ std::string compared(const ComparisonReport& report) {
                      bullets(differences_of_sides(measured)), bullets(report.notes));
 }
 
+std::string failed_trials(const ComparisonReport& report) {
+  std::vector<std::string> sentences;
+  for (const FailedTrial& failed : report.failed_trials) sentences.push_back(in_words(failed));
+  return sentences.empty() ? "" : "### Failed trials\n\n" + bullets(sentences) + "\n";
+}
+
 std::string facts(const ComparisonReport& report) {
   const PairTiming& timing = report.timing;
   if (!(timing.seconds > 0.0)) return bullets(advice(report));
@@ -102,8 +108,8 @@ std::string facts(const ComparisonReport& report) {
 
 std::string comparison_markdown(const ComparisonReport& report) {
   const std::string text =
-      fmt::format("**phytobench compare: {}**\n\n{}", counts_in_words(report), compared(report)) +
-      changes(report) + effects(report) + details(report) + facts(report);
+      fmt::format("**phytobench compare: {}**\n\n{}", summary_in_words(report), compared(report)) +
+      failed_trials(report) + changes(report) + effects(report) + details(report) + facts(report);
   PHYTOBENCH_ENSURE(text.size() <= most_markdown_bytes);
   return text;
 }

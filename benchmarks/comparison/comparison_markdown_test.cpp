@@ -40,6 +40,16 @@ TEST(ComparisonMarkdown, NamesOnlyWhatChangedAsChanged) {
   EXPECT_THAT(comparison_markdown(quiet), Not(HasSubstr("What changed")));
 }
 
+TEST(ComparisonMarkdown, SaysWhichTrialFailedAtWhichStep) {
+  ComparisonReport report;
+  report.failed_trials = {{"new", "b.so", "crashed", "SIGSEGV in associate() in iteration 2"}};
+  const std::string text = comparison_markdown(report);
+  EXPECT_THAT(text, StartsWith("**phytobench compare: new failed its trial"));
+  EXPECT_THAT(text, HasSubstr("- new, b.so: crashed in its trial: SIGSEGV in associate() in "));
+  EXPECT_THAT(text, Not(HasSubstr("benchmarks")));
+  EXPECT_THAT(comparison_markdown(example_report()), Not(HasSubstr("Failed trials")));
+}
+
 TEST(ComparisonMarkdown, StaysBelowTheLimitOfACommentAndCountsWhatIsLeftOut) {
   ComparisonReport report;
   const std::string nasty(400, '<');

@@ -61,6 +61,19 @@ std::string counts_in_words(const ComparisonReport& report) {
   return fmt::format("{} of {} benchmark{}", fmt::join(parts, ", "), all, all == 1 ? "" : "s");
 }
 
+std::string summary_in_words(const ComparisonReport& report) {
+  if (report.failed_trials.empty()) return counts_in_words(report);
+  std::vector<std::string> sides;
+  for (const FailedTrial& failed : report.failed_trials) sides.push_back(failed.side);
+  return fmt::format("{} failed {} trial, so nothing was timed", fmt::join(sides, " and "),
+                     sides.size() == 1 ? "its" : "their");
+}
+
+std::string in_words(const FailedTrial& failed) {
+  return fmt::format("{}, {}: {} in its trial: {}", failed.side, failed.given, failed.verdict,
+                     failed.detail);
+}
+
 std::string side_in_words(std::string_view role, const SideOrigin& side) {
   const std::string changed = side.changed ? " with changes" : "";
   if (side.commit.empty() || side.commit == side.given)
@@ -92,6 +105,11 @@ std::vector<std::string> advice(const ComparisonReport& report) {
     sentences.push_back(
         fmt::format("The machine was busy with something else: {} blocks were kept in spite of it.",
                     report.timing.busy_blocks));
+  const int dead = report.timing.dead_blocks;
+  if (dead > 0)
+    sentences.push_back(
+        fmt::format("Workers died in {} block{}, which {} thrown away and measured again.", dead,
+                    dead == 1 ? "" : "s", dead == 1 ? "was" : "were"));
   return sentences;
 }
 

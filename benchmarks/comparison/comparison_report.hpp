@@ -3,14 +3,24 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "benchmarks/comparison/comparison.hpp"
 #include "benchmarks/comparison/paired_timing.hpp"
+#include "benchmarks/comparison/stored_result.hpp"
 
 namespace phytobench {
+
+/// A plugin that was tried before anything was timed, and is not fit to be.
+struct FailedTrial {
+  std::string side;     ///< "base" or "new"
+  std::string given;    ///< as the user named it
+  std::string verdict;  ///< "wrong", "crashed", "hangs", "leaks"
+  std::string detail;   ///< one line: at which step, and what
+};
 
 /// A comparison with everything that belongs into its documents.
 struct ComparisonReport {
@@ -20,6 +30,11 @@ struct ComparisonReport {
   TimingSettings timing_settings;
   std::string environment_json;         ///< see core/record/environment.hpp; empty: unknown
   std::vector<std::string> notes = {};  ///< one sentence each, on what was read rather than timed
+  /// If there are any, nothing is timed, and nothing concluded.
+  std::vector<FailedTrial> failed_trials = {};
+  /// All times of a side that was timed alone, because the other one was stored.
+  std::optional<StoredResult> base_result = std::nullopt;
+  std::optional<StoredResult> other_result = std::nullopt;
 };
 
 std::size_t count_of(const ComparisonReport& report, SpeedVerdict verdict);
@@ -33,6 +48,12 @@ std::vector<const ConcludedBenchmark*> by_weight(const ComparisonReport& report)
 
 /// "1 slower, 20 same, 3 inconclusive of 24 benchmarks"; "slower" is there even if none is.
 std::string counts_in_words(const ComparisonReport& report);
+
+/// The same, or "new failed its trial, so nothing was timed".
+std::string summary_in_words(const ComparisonReport& report);
+
+/// "new, late.so: crashed in its trial: SIGSEGV in create()".
+std::string in_words(const FailedTrial& failed);
 
 /// "base: 1a2b3c4 (revision HEAD~1)".
 std::string side_in_words(std::string_view role, const SideOrigin& side);

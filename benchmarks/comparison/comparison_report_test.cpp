@@ -69,6 +69,26 @@ TEST(ComparisonReport, WithdrawsVerdictsOnSpeedButNoWrongAnswer) {
   EXPECT_EQ(report.concluded.front().reason, "interrupted after 8 blocks");
 }
 
+TEST(ComparisonReport, SaysWhichTrialFailedInPlaceOfCounts) {
+  ComparisonReport report;
+  report.failed_trials = {{"new", "b.so", "crashed", "SIGSEGV in create()"}};
+  EXPECT_EQ(summary_in_words(report), "new failed its trial, so nothing was timed");
+  EXPECT_EQ(in_words(report.failed_trials.front()),
+            "new, b.so: crashed in its trial: SIGSEGV in create()");
+  report.failed_trials.insert(report.failed_trials.begin(), {"base", "a.so", "leaks", "8 bytes"});
+  EXPECT_EQ(summary_in_words(report), "base and new failed their trial, so nothing was timed");
+  const ComparisonReport timed = example_report();
+  EXPECT_EQ(summary_in_words(timed), counts_in_words(timed));
+}
+
+TEST(ComparisonReport, SaysThatWorkersDied) {
+  ComparisonReport report;
+  report.timing.dead_blocks = 1;
+  ASSERT_EQ(advice(report).size(), 1u);
+  EXPECT_EQ(advice(report).front(),
+            "Workers died in 1 block, which was thrown away and measured again.");
+}
+
 TEST(ComparisonReport, AdvisesWhereAVerdictSaysLittle) {
   ComparisonReport report = example_report();
   report.timing.busy_blocks = 3;

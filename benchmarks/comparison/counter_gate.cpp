@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "benchmarks/comparison/result_document.hpp"
 #include "core/contract/check.hpp"
+#include "core/contract/errors.hpp"
 #include "core/contract/parameter_keys.hpp"
 
 namespace phytobench {
@@ -45,6 +47,19 @@ CountedBenchmark benchmark_from(const ordered_json& json, const std::string& nam
     benchmark.counters[counter] = value.get<std::uint64_t>();
   }
   return benchmark;
+}
+
+SideOrigin origin_in(const ordered_json& json, const std::string& file) {
+  try {
+    return origin_from(json);
+  } catch (const ordered_json::exception& error) {
+    refuse(file, fmt::format("its \"origin\" is damaged ({})", error.what()));
+  }
+}
+
+std::string source_of(const SideOrigin& origin) {
+  if (origin.commit.empty()) return "an unknown commit";
+  return fmt::format("commit {}{}", origin.commit, origin.changed ? " with changes" : "");
 }
 
 /// Changes of the counters that both or one of them has.
@@ -145,32 +160,52 @@ std::string with_thousands(std::uint64_t number) {
 }
 
 std::string to_json(const CounterBaseline& baseline) {
+  return to_json(CounterDocument{.origin = std::nullopt, .benchmarks = baseline});
+}
+
+std::string to_json(const CounterDocument& document) {
   ordered_json json;
   json["schema"] = schema;
+  if (document.origin) json["origin"] = origin_json(*document.origin);
   json["benchmarks"] = ordered_json::object();
-  for (const auto& [name, benchmark] : baseline) {
+  for (const auto& [name, benchmark] : document.benchmarks) {
     ordered_json& entry = json["benchmarks"][name];
     entry["inputs"] = benchmark.inputs;
     entry["counters"] = benchmark.counters;
   }
-  return json.dump(2) + "\n";
+  // A path in the origin need not be UTF-8.
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 CounterBaseline counter_baseline_from(const std::string& text, const std::string& file) {
+  return counter_document_from(text, file).benchmarks;
+}
+
+CounterDocument counter_document_from(const std::string& text, const std::string& file) {
   const ordered_json json = ordered_json::parse(text, nullptr, false);
   if (json.is_discarded()) refuse(file, "is not JSON, or breaks off");
   if (!json.is_object() || !json.contains("schema") || json["schema"] != schema)
     refuse(file, fmt::format("its schema is not {}", schema));
   if (!json.contains("benchmarks") || !json["benchmarks"].is_object())
     refuse(file, "has no \"benchmarks\"");
-  CounterBaseline baseline;
+  CounterDocument document;
+  if (json.contains("origin")) document.origin = origin_in(json["origin"], file);
   for (const auto& [name, benchmark] : json["benchmarks"].items())
-    baseline[name] = benchmark_from(benchmark, name, file);
-  if (to_json(baseline) != text)
+    document.benchmarks[name] = benchmark_from(benchmark, name, file);
+  if (to_json(document) != text)
     refuse(file,
            "is not as the program writes it (something twice, more than it knows, or in "
            "another order)");
-  return baseline;
+  return document;
+}
+
+void refuse_stale_worker(const SideOrigin& worker, const SideOrigin& program) {
+  if (worker.commit == program.commit && worker.changed == program.changed) return;
+  throw InputError(
+      fmt::format("{}: the worker there was built from {}, this program from {}; build both of the "
+                  "same sources (cmake --build --preset counters --target phytobench_worker), or "
+                  "name a worker with --worker",
+                  worker.given, source_of(worker), source_of(program)));
 }
 
 }  // namespace phytobench

@@ -6,9 +6,11 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "benchmarks/comparison/comparison.hpp"
 #include "benchmarks/regression/worker_protocol.hpp"
 
 namespace phytobench {
@@ -22,6 +24,13 @@ struct CountedBenchmark {
 
 /// By the benchmark's name.
 using CounterBaseline = std::map<std::string, CountedBenchmark>;
+
+/// Counters and the build that they were counted of. The committed file does not say: it is right
+/// for every build of its sources.
+struct CounterDocument {
+  std::optional<SideOrigin> origin;
+  CounterBaseline benchmarks;
+};
 
 enum class CounterChangeKind {
   other_value,         ///< the counter went from `before` to `after`
@@ -65,5 +74,14 @@ std::string to_json(const CounterBaseline& baseline);
 /// Throws InputError that begins with `file` for anything but what to_json() writes, so that a
 /// merge that left a counter twice is not read as if nothing were.
 CounterBaseline counter_baseline_from(const std::string& json, const std::string& file);
+
+/// The same with "origin" (result_document.hpp) where it is known, to be kept.
+std::string to_json(const CounterDocument& document);
+CounterDocument counter_document_from(const std::string& json, const std::string& file);
+
+/// Throws InputError, naming both and what builds again, where a worker that nobody has named is of
+/// another commit than the program, or only one of them has changes of it. Of two builds with
+/// changes it cannot tell whether these are the same.
+void refuse_stale_worker(const SideOrigin& worker, const SideOrigin& program);
 
 }  // namespace phytobench

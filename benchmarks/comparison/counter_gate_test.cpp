@@ -132,6 +132,26 @@ TEST(CounterFile, IsSortedWithOneCounterALine) {
                 "      }\n    }\n  }\n}\n");
 }
 
+TEST(CounterFile, KeepsTheBuildThatWasCounted) {
+  const CounterDocument document{.origin = SideOrigin{.given = "build/counters",
+                                                      .kind = "build",
+                                                      .commit = "0123456789ab",
+                                                      .changed = true,
+                                                      .compiler = "GNU 12",
+                                                      .flags = "-O3"},
+                                 .benchmarks = two_benchmarks()};
+  const CounterDocument read = counter_document_from(to_json(document), "f");
+  ASSERT_TRUE(read.origin);
+  EXPECT_EQ(read.origin->commit, "0123456789ab");
+  EXPECT_TRUE(read.origin->changed);
+  EXPECT_EQ(read.origin->compiler, "GNU 12");
+  EXPECT_EQ(read.benchmarks, two_benchmarks());
+  EXPECT_FALSE(counter_document_from(to_json(two_benchmarks()), "f").origin);
+  std::string damaged_origin = to_json(document);
+  damaged_origin.replace(damaged_origin.find("\"0123456789ab\""), 14, "7");
+  expect_refused(damaged_origin, "\"origin\" is damaged");
+}
+
 TEST(CounterFile, DamageIsNamed) {
   expect_refused("", "is not JSON");
   expect_refused("[]", "schema");
@@ -144,6 +164,26 @@ TEST(CounterFile, DamageIsNamed) {
   expect_refused(damaged(some_inputs, "abc"), "inputs");
   expect_refused(damaged("\"counters\"", "\"counter\""), "has no \"counters\"");
   expect_refused(to_json(two_benchmarks()).substr(0, 100), "breaks off");
+}
+
+TEST(CountingWorker, OfAnotherBuildIsRefused) {
+  const SideOrigin worker{.given = "build/counters", .commit = "aaaaaaaaaaaa"};
+  EXPECT_NO_THROW(refuse_stale_worker(worker, {.commit = "aaaaaaaaaaaa"}));
+  const auto complaint = [&](const SideOrigin& program) -> std::string {
+    try {
+      refuse_stale_worker(worker, program);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_THAT(complaint({.commit = "bbbbbbbbbbbb"}),
+              testing::AllOf(StartsWith("build/counters: "), HasSubstr("from commit aaaaaaaaaaaa,"),
+                             HasSubstr("from commit bbbbbbbbbbbb;"),
+                             HasSubstr("cmake --build --preset counters")));
+  EXPECT_THAT(complaint({.commit = "aaaaaaaaaaaa", .changed = true}),
+              HasSubstr("aaaaaaaaaaaa with changes;"));
+  EXPECT_THAT(complaint({}), HasSubstr("an unknown commit"));
 }
 
 TEST(CounterFile, WhatAMergeLeftTwiceIsRefused) {

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -13,6 +14,7 @@
 #include "benchmarks/comparison/counter_gate.hpp"
 #include "benchmarks/comparison/found_program.hpp"
 #include "benchmarks/comparison/instruction_gate.hpp"
+#include "benchmarks/comparison/worker_client.hpp"
 #include "benchmarks/regression/sampling.hpp"
 #include "core/contract/text_file.hpp"
 #include "reference/data_folder.hpp"
@@ -77,14 +79,16 @@ TEST(GateBreakage, TheSameEngineAgainPasses) {
   EXPECT_THAT(counter_gate(before, after), IsEmpty());
 }
 
-TEST(GateBreakage, AtMostFivePercentMoreEvaluationsAreSeenByTheCounters) {
+TEST(GateBreakage, FivePercentMoreEvaluationsAreSeenByTheCounters) {
   const VerifiedBenchmark before = run_of(whole), after = run_of("nearest-node/looks_twice/dn");
   EXPECT_EQ(after.objection, "") << "the answer is still right";
-  // Less than that where a block is not full.
-  EXPECT_GT(share_of(after, before, "search_evaluations"), 1.02);
-  EXPECT_LE(share_of(after, before, "search_evaluations"), 1.05);
-  EXPECT_THAT(counter_gate(before, after),
-              testing::Contains(testing::AllOf(HasSubstr("search_evaluations"), HasSubstr("(+"))));
+  const double evaluations = static_cast<double>(before.work.at("search_evaluations"));
+  EXPECT_GT(evaluations, 10000.0);
+  // Every twentieth; a run may begin in the midst of twenty.
+  EXPECT_NEAR(share_of(after, before, "search_evaluations"), 1.05, 1.0 / evaluations);
+  EXPECT_THAT(
+      counter_gate(before, after),
+      testing::Contains(testing::AllOf(HasSubstr("search_evaluations"), HasSubstr("(+5.0 %)"))));
 }
 
 TEST(GateBreakage, ARemovedPruningStepIsSeenByTheCounters) {
@@ -94,15 +98,40 @@ TEST(GateBreakage, ARemovedPruningStepIsSeenByTheCounters) {
   EXPECT_THAT(counter_gate(before, after), testing::Contains(HasSubstr("search_evaluations")));
 }
 
+/// Counts of the preset 'counters', which alone counts allocations: by this program if it is one of
+/// that preset, else by the worker that cmake/check-gates builds before ./check runs tests. Nothing
+/// where that is not built.
+std::optional<VerifiedBenchmark> counted_run_of(const std::string& name) {
+  if (counts_inner_loop) return run_of(name);
+  if (!found_program(PHYTOBENCH_COUNTING_BROKEN_WORKER)) return std::nullopt;
+  Side counting;
+  counting.origin.given = "the worker that counts";
+  counting.origin.kind = "build";
+  counting.worker = PHYTOBENCH_COUNTING_BROKEN_WORKER;
+  counting.data_folder = data_folder();
+  WorkerClient worker(counting);
+  VerifiedBenchmark counted = worker.counters({name}).front();
+  counted.name = watched_name;
+  return counted;
+}
+
 TEST(GateBreakage, ACopyPerQueryIsSeenByTheAllocations) {
-  const VerifiedBenchmark before = run_of(whole), after = run_of("nearest-node/copies_nodes/dn");
-  EXPECT_EQ(after.objection, "") << "the answer is still right";
-  if (!before.work.contains("allocations")) {
-    EXPECT_THAT(counter_gate(before, after), IsEmpty()) << "no other counter can see it";
-    GTEST_SKIP() << "allocations are counted in the preset 'counters' only";
-  }
-  EXPECT_GE(after.work.at("allocations"), before.work.at("allocations") + after.work.at("queries"));
-  EXPECT_THAT(counter_gate(before, after), testing::Contains(HasSubstr("allocations")));
+  const auto before = counted_run_of(whole), after = counted_run_of("nearest-node/copies_nodes/dn");
+  if (!before || !after)
+    GTEST_SKIP() << "allocations are counted in the preset 'counters' only; build it with "
+                    "cmake/check-gates";
+  EXPECT_EQ(before->objection, "");
+  EXPECT_EQ(after->objection, "") << "the answer is still right";
+  EXPECT_GE(after->work.at("allocations"),
+            before->work.at("allocations") + after->work.at("queries"));
+  EXPECT_THAT(counter_gate(*before, *after), testing::Contains(HasSubstr("allocations")));
+}
+
+TEST(GateBreakage, ACopyPerQueryIsNotSeenByAnyOtherCounter) {
+  VerifiedBenchmark before = run_of(whole), after = run_of("nearest-node/copies_nodes/dn");
+  for (VerifiedBenchmark* run : {&before, &after})
+    for (const char* counter : {"allocations", "allocated_bytes"}) run->work.erase(counter);
+  EXPECT_THAT(counter_gate(before, after), IsEmpty());
 }
 
 TEST(GateBreakage, AnotherTieRuleIsRefusedByTheOracle) {

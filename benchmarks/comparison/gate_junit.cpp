@@ -39,7 +39,8 @@ std::string ending_of(const GateCase& one) {
 
 }  // namespace
 
-std::string gate_junit(std::string_view gate, const std::vector<GateCase>& cases) {
+std::string gate_junit(std::string_view command, const std::vector<GateCase>& cases) {
+  const std::string_view gate = command.substr(command.rfind(' ') + 1);  // npos + 1 is 0
   const auto count_of = [&](GateOutcome outcome) {
     return std::count_if(cases.begin(), cases.end(),
                          [&](const GateCase& one) { return one.outcome == outcome; });
@@ -53,8 +54,8 @@ std::string gate_junit(std::string_view gate, const std::vector<GateCase>& cases
                   count_of(GateOutcome::failed), count_of(GateOutcome::skipped));
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"phytobench\" {0}>\n"
-      "  <testsuite name=\"phytobench bench {1}\" {0}>\n{2}  </testsuite>\n</testsuites>\n",
-      totals, gate, body);
+      "  <testsuite name=\"phytobench {1}\" {0}>\n{2}  </testsuite>\n</testsuites>\n",
+      totals, command, body);
 }
 
 }  // namespace phytobench

@@ -16,7 +16,8 @@ struct GateCase {
   std::string message;  ///< shown by test runners; may be empty where it passed
 };
 
-/// One test case for each benchmark. `gate` names the suite: "counters" or "instructions".
-std::string gate_junit(std::string_view gate, const std::vector<GateCase>& cases);
+/// One test case for each benchmark. The suite is named after the command that was run: "compare",
+/// "bench counters" or "bench instructions"; its last word begins the cases' classes.
+std::string gate_junit(std::string_view command, const std::vector<GateCase>& cases);
 
 }  // namespace phytobench

@@ -31,6 +31,8 @@ std::optional<std::pair<Verdict, std::string>> without_counts(const CountedPair&
   };
   if (pair.other.outcome != CountOutcome::counted)
     return {{verdict_on(pair.other.outcome), pair.other.reason}};
+  if (!pair.verified_answer.empty() && pair.other.answer != pair.verified_answer)
+    return {{Verdict::wrong_answer, "the counted run gave another answer than was verified"}};
   if (!pair.is_in_base) return {{Verdict::appeared, "base lacks it"}};
   if (pair.base.outcome == CountOutcome::unsupported)
     return {{Verdict::unsupported, "base: " + pair.base.reason}};
@@ -86,6 +88,8 @@ std::vector<CountedPair> empty_pairs(const InstructionGateRequest& request) {
     pair.is_same_binary = request.is_same_binary;
     if (pair.is_in_new && !pair.is_same_binary && request.objection_to)
       pair.objection = request.objection_to(name);
+    if (pair.is_in_new && !pair.is_same_binary && request.verified_answer_of)
+      pair.verified_answer = request.verified_answer_of(name);
     if (request.earlier_changes) pair.earlier_changes = request.earlier_changes(name);
     list.push_back(std::move(pair));
   }

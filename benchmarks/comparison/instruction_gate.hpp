@@ -40,8 +40,9 @@ struct CountedPair {
   bool is_in_base = true;
   bool is_in_new = true;
   bool is_same_binary = false;
-  std::string objection;  ///< of the oracle to the new side's answer
-  InstructionCount base;  ///< without meaning where a side lacks it
+  std::string objection;        ///< of the oracle to the new side's answer
+  std::string verified_answer;  ///< of the new build, that the oracle let pass; empty: not known
+  InstructionCount base;        ///< without meaning where a side lacks it
   InstructionCount other;
   std::vector<double> earlier_changes;  ///< relative, of earlier comparisons: 0.01 is 1 %
 };
@@ -94,6 +95,8 @@ struct InstructionGateRequest {
   bool simulate_cache = false;
   /// Objection of the oracle to an answer of the new build, empty if it is right; by name.
   std::function<std::string(const std::string&)> objection_to = {};
+  /// The answer that was right, empty if it is not known; by name. May be empty.
+  std::function<std::string(const std::string&)> verified_answer_of = {};
   /// See CountedPair::earlier_changes; may be empty.
   std::function<std::vector<double>(const std::string&)> earlier_changes = {};
   std::function<void(const std::string&)> show_progress = {};  ///< may be empty

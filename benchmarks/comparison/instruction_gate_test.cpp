@@ -66,6 +66,14 @@ TEST(InstructionGate, TheLimitIsThreeQuartileRangesAboveTheThirdQuartile) {
   EXPECT_EQ(change_limit({}), 0.01);
 }
 
+TEST(InstructionGate, ACountOfAnotherAnswerThanWasVerifiedIsNone) {
+  CountedPair pair = pair_of(1, 1);
+  pair.verified_answer = "o";
+  EXPECT_EQ(verdict_on(pair), Verdict::same);
+  pair.verified_answer = "another";
+  EXPECT_EQ(verdict_on(pair), Verdict::wrong_answer);
+}
+
 TEST(InstructionGate, WhatCannotBeCountedIsNoPass) {
   CountedPair pair = pair_of(1, 1);
   pair.other = no_count(CountOutcome::unsupported);

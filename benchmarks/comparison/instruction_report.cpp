@@ -48,6 +48,27 @@ std::string heading() {
                      "benchmark");
 }
 
+std::string misses_text(const InstructionCount& count) {
+  if (!count.totals.misses) return fmt::format("{:>14}{:>14}", "-", "-");
+  return fmt::format("{:>14}{:>14}", with_thousands(count.totals.misses->first_level_data),
+                     with_thousands(count.totals.misses->last_level));
+}
+
+/// Empty where no cache was simulated.
+std::string misses_table(const InstructionReport& report) {
+  std::string rows;
+  for (const JudgedInstructions& one : report.judged)
+    if (one.pair.base.totals.misses || one.pair.other.totals.misses)
+      rows += fmt::format("{}{}  {}\n", misses_text(one.pair.base), misses_text(one.pair.other),
+                          one_line(one.benchmark));
+  if (rows.empty()) return "";
+  return fmt::format(
+             "\nMisses of a simulated cache of 32 KiB for data at the first level, and of 8 MiB at "
+             "the last\n{:>14}{:>14}{:>14}{:>14}  benchmark\n",
+             "base: first", "last", "new: first", "last") +
+         rows;
+}
+
 GateOutcome outcome_of(Verdict verdict) {
   if (is_failure(verdict)) return GateOutcome::failed;
   switch (verdict) {
@@ -105,7 +126,7 @@ std::string instruction_table(const InstructionReport& report) {
   std::string text = fmt::format("{}\n{}\n\n{}", side_in_words("base", report.base),
                                  side_in_words("new", report.other), heading());
   for (const JudgedInstructions* one : by_weight(report)) text += row_of(*one);
-  return text + "\n" + counts_in_words(report) + "\n";
+  return text + misses_table(report) + "\n" + counts_in_words(report) + "\n";
 }
 
 std::string instruction_markdown(const InstructionReport& report) {
@@ -130,7 +151,7 @@ std::string instruction_junit(const InstructionReport& report) {
   std::vector<GateCase> cases;
   for (const JudgedInstructions& one : report.judged)
     cases.push_back({one.benchmark, outcome_of(one.verdict), message_of(one)});
-  return gate_junit("instructions", cases);
+  return gate_junit("bench instructions", cases);
 }
 
 std::string instruction_json(const InstructionReport& report) {

@@ -20,10 +20,11 @@ struct InstructionReport {
 /// "1 more, 20 same of 21 benchmarks"; "more" is there even if none is.
 std::string counts_in_words(const InstructionReport& report);
 
-/// A line for each benchmark, from the verdict that matters most.
+/// A line for each benchmark, from the verdict that matters most; then one with the misses of each
+/// for which a cache was simulated.
 std::string instruction_table(const InstructionReport& report);
 
-/// The same for a merge request or the summary of a job; below 60,000 bytes.
+/// The same for a merge request or the summary of a job, without misses; below 60,000 bytes.
 std::string instruction_markdown(const InstructionReport& report);
 
 /// What stops a merge has failed, what could not be counted or compared was skipped.

@@ -48,6 +48,16 @@ TEST(InstructionReport, SaysWhatMattersFirst) {
   EXPECT_EQ(counts_in_words(InstructionReport{}), "0 more of 0 benchmarks");
 }
 
+TEST(InstructionReport, SaysWhatASimulatedCacheMissed) {
+  InstructionReport report = some_report();
+  report.judged.front().pair.other.totals.misses = CacheMisses{1234567, 89};
+  EXPECT_THAT(instruction_table(report),
+              testing::ContainsRegex("\n +5 +6 +1,234,567 +89  a/same\n"));
+  for (JudgedInstructions& one : report.judged)
+    one.pair.base.totals.misses = one.pair.other.totals.misses = std::nullopt;
+  EXPECT_THAT(instruction_table(report), Not(HasSubstr("cache")));
+}
+
 TEST(InstructionReport, ForTestRunnersOnlyARegressionFails) {
   const std::string xml = instruction_junit(some_report());
   EXPECT_THAT(xml, HasSubstr("tests=\"3\" failures=\"1\" errors=\"0\" skipped=\"1\""));
@@ -76,9 +86,18 @@ TEST(InstructionReport, TheDocumentHoldsBothCounts) {
   EXPECT_TRUE(json["benchmarks"][2]["change"].is_null());
 }
 
+TEST(GateJunit, NamesItsSuiteAfterTheCommand) {
+  EXPECT_THAT(gate_junit("compare", {}), HasSubstr("<testsuite name=\"phytobench compare\""));
+  EXPECT_THAT(gate_junit("bench counters", {}),
+              HasSubstr("<testsuite name=\"phytobench bench counters\""));
+  EXPECT_THAT(instruction_junit(some_report()),
+              HasSubstr("<testsuite name=\"phytobench bench instructions\""));
+}
+
 TEST(GateJunit, WritesOutWhatXmlReserves) {
-  const std::string xml = gate_junit("counters", {{"a.b/<c>", GateOutcome::failed, "1 & \x01 2"},
-                                                  {"d/e", GateOutcome::passed, ""}});
+  const std::string xml = gate_junit(
+      "bench counters",
+      {{"a.b/<c>", GateOutcome::failed, "1 & \x01 2"}, {"d/e", GateOutcome::passed, ""}});
   EXPECT_THAT(xml, HasSubstr("classname=\"counters.a_b\" name=\"a.b/&lt;c&gt;\""));
   EXPECT_THAT(xml, HasSubstr("<failure message=\"1 &amp;   2\">"));
   EXPECT_THAT(xml, HasSubstr("tests=\"2\" failures=\"1\""));

@@ -12,6 +12,14 @@ namespace phytobench {
 
 namespace {
 
+/// Comparisons that must find nothing, and those that did.
+int equal_sides(const InstrumentCheck& check) {
+  return check.alike.all() + check.usual.all();
+}
+int alarms_among(const InstrumentCheck& check) {
+  return check.alike.slower + check.alike.faster + check.usual.slower + check.usual.faster;
+}
+
 class InstrumentJudge {
  public:
   explicit InstrumentJudge(const InstrumentCheck& check) : check_(check) {}
@@ -19,7 +27,7 @@ class InstrumentJudge {
   InstrumentVerdict verdict() {
     judge_refusals();
     judge_completeness();
-    if (check_.alike.all() > 0) judge_false_alarms();
+    if (equal_sides(check_) > 0) judge_false_alarms();
     if (check_.handicapped.all() > 0) judge_power();
     return std::move(verdict_);
   }
@@ -39,14 +47,15 @@ class InstrumentJudge {
   }
 
   void judge_completeness() {
-    const int made = check_.alike.all() + check_.handicapped.all();
-    const int wanted = check_.wanted_alike + check_.wanted_handicapped;
+    const int made = equal_sides(check_) + check_.handicapped.all();
+    const int wanted = check_.wanted_alike + check_.wanted_usual + check_.wanted_handicapped;
     if (made < wanted)
       object(InstrumentState::unproven,
              fmt::format("Time ended after {} of {} comparisons.", made, wanted));
-    if (check_.alike.other + check_.handicapped.other > 0)
-      object(InstrumentState::broken, fmt::format("{} comparisons of right answers were not timed.",
-                                                  check_.alike.other + check_.handicapped.other));
+    const int untimed = check_.alike.other + check_.usual.other + check_.handicapped.other;
+    if (untimed > 0)
+      object(InstrumentState::broken,
+             fmt::format("{} comparisons of right answers were not timed.", untimed));
   }
 
   void judge_false_alarms() {
@@ -54,10 +63,9 @@ class InstrumentJudge {
     if (alarms.value > most_false_alarms)
       object(alarms.low > most_false_alarms ? InstrumentState::broken : InstrumentState::unproven,
              fmt::format("Equal sides were told apart {} times of {}, more than {:.0f} %{}.",
-                         check_.alike.slower + check_.alike.faster, check_.alike.all(),
-                         100.0 * most_false_alarms,
+                         alarms_among(check_), equal_sides(check_), 100.0 * most_false_alarms,
                          alarms.low > most_false_alarms ? "" : ", which may be chance"));
-    if (2 * check_.alike.same <= check_.alike.all())
+    if (check_.alike.all() > 0 && 2 * check_.alike.same <= check_.alike.all())
       object(
           InstrumentState::unproven,
           fmt::format("This machine is too noisy: of {} comparisons of equal sides only {} could "
@@ -104,8 +112,8 @@ std::string_view name_of(InstrumentState state) {
 }
 
 Estimate false_alarms(const InstrumentCheck& check) {
-  PHYTOBENCH_EXPECT(check.alike.all() > 0);
-  return share_estimate(check.alike.slower + check.alike.faster, check.alike.all());
+  PHYTOBENCH_EXPECT(equal_sides(check) > 0);
+  return share_estimate(alarms_among(check), equal_sides(check));
 }
 
 Estimate found_handicaps(const InstrumentCheck& check) {

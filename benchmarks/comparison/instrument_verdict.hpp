@@ -28,8 +28,8 @@ struct InstrumentVerdict {
   std::vector<std::string> reasons;  ///< a sentence for all that is not as it must be
 };
 
-/// False alarms in the sense of most_false_alarms, with the exact 95 % interval; at least one
-/// comparison.
+/// False alarms in the sense of most_false_alarms, of all comparisons of equal sides, with the
+/// exact 95 % interval; at least one comparison.
 Estimate false_alarms(const InstrumentCheck& check);
 
 /// Handicaps that were found, alike.
@@ -38,8 +38,8 @@ Estimate found_handicaps(const InstrumentCheck& check);
 /// Broken: a broken benchmark was not refused; false alarms are more often than allowed or losses
 /// found more seldom by more than chance, by the 95 % intervals. Losses that were inconclusive do
 /// not count where equal sides differ by more than half the handicap: that is the machine.
-/// Unproven: a share is not what it must be, but might be by chance, or most comparisons of equal
-/// sides were inconclusive, or time ended first.
+/// Unproven: a share is not what it must be, but might be by chance, or most comparisons of the
+/// steady benchmark with itself were inconclusive, or time ended first.
 InstrumentVerdict judge_instrument(const InstrumentCheck& check);
 
 }  // namespace phytobench

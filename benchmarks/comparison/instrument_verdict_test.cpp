@@ -49,6 +49,20 @@ TEST(InstrumentVerdict, IsBrokenByFalseAlarmsBeyondChance) {
   EXPECT_EQ(state_of(check), InstrumentState::broken) << "15 %, surely above 5 %";
 }
 
+TEST(InstrumentVerdict, CountsAlarmsOfUsualComparisons) {
+  InstrumentCheck check = good();
+  check.wanted_usual = 4;
+  EXPECT_EQ(state_of(check), InstrumentState::unproven) << "they are missing";
+  check.usual = {.same = 3, .inconclusive = 1};
+  EXPECT_EQ(state_of(check), InstrumentState::proven);
+  EXPECT_EQ(false_alarms(check).value, 0.0);
+  check.usual = {.slower = 2, .faster = 1, .same = 1};
+  EXPECT_EQ(state_of(check), InstrumentState::unproven) << "3 of 44, which may be chance";
+  EXPECT_NEAR(false_alarms(check).value, 3.0 / 44.0, 1e-12);
+  check.usual = {.same = 3, .other = 1};
+  EXPECT_EQ(state_of(check), InstrumentState::broken);
+}
+
 TEST(InstrumentVerdict, IsBrokenByMissedLossesBeyondChance) {
   InstrumentCheck check = good();
   check.handicapped = {.slower = 8, .same = 2};

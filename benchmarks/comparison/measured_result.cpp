@@ -2,12 +2,14 @@
 #include "benchmarks/comparison/measured_result.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "benchmarks/comparison/paired_timing.hpp"
 #include "benchmarks/comparison/timed_block.hpp"
+#include "benchmarks/comparison/worker_deaths.hpp"
 #include "core/contract/check.hpp"
 #include "core/contract/errors.hpp"
 #include "core/record/environment.hpp"
@@ -67,23 +69,49 @@ class ResultTimer {
       if (judged.objection.empty()) right.push_back(judged.name);
     if (right.empty()) return;
     step("samples are sized");
-    for (const CalibratedBenchmark& calibrated :
-         request_.side->calibrate(right, request_.sample_ms)) {
-      StoredBenchmark& own = benchmark(calibrated.name);
-      if (calibrated.iterations == 0)
-        own.objection = no_time_to_measure;
-      else
-        iterations_.push_back({own.name, calibrated.iterations, own.answer});
-    }
+    survive(right, [&](const std::vector<std::string>& names) {
+      for (const CalibratedBenchmark& calibrated :
+           request_.side->calibrate(names, request_.sample_ms))
+        keep(calibrated);
+    });
+  }
+
+  void keep(const CalibratedBenchmark& calibrated) {
+    StoredBenchmark& own = benchmark(calibrated.name);
+    if (calibrated.iterations == 0)
+      own.objection = no_time_to_measure;
+    else
+      iterations_.push_back({own.name, calibrated.iterations, own.answer});
+  }
+
+  /// Until the action has succeeded for each of these benchmarks, or it has an objection.
+  void survive(const std::vector<std::string>& names,
+               const std::function<void(const std::vector<std::string>&)>& action) {
+    deaths_.survive(
+        names,
+        [&](const std::vector<std::string>& some) { return death_in([&] { action(some); }); },
+        [&](const std::string& name, const WorkerDeath& death) { refuse(name, death.reason); });
   }
 
   void time(int process) {
     step(fmt::format("process {} of {}", process + 1, request_.processes));
-    const SamplePlan plan{
+    std::vector<std::string> left;
+    for (const SamplePlan::Benchmark& planned : iterations_) left.push_back(planned.name);
+    survive(left, [&](const std::vector<std::string>& names) {
+      for (const SampledBenchmark& sampled : request_.side->sample(plan_of(process, names)))
+        keep(sampled);
+    });
+  }
+
+  SamplePlan plan_of(int process, const std::vector<std::string>& names) const {
+    SamplePlan plan{
         .seed = drawn_seed(request_.seed, stream_of_results, static_cast<std::uint64_t>(process)),
         .samples = request_.samples,
         .benchmarks = iterations_};
-    for (const SampledBenchmark& sampled : request_.side->sample(plan)) keep(sampled);
+    std::erase_if(plan.benchmarks, [&](const SamplePlan::Benchmark& planned) {
+      return std::find(names.begin(), names.end(), planned.name) == names.end();
+    });
+    return plan;
   }
 
   void keep(const SampledBenchmark& sampled) {
@@ -95,10 +123,16 @@ class ResultTimer {
       own.processes.push_back(std::move(seconds));
       return;
     }
-    own.objection = sampled.objection.empty() ? std::string(no_time_to_measure) : sampled.objection;
+    refuse(sampled.name,
+           sampled.objection.empty() ? std::string(no_time_to_measure) : sampled.objection);
+  }
+
+  /// Takes away the times that it already has.
+  void refuse(const std::string& name, const std::string& objection) {
+    StoredBenchmark& own = benchmark(name);
+    own.objection = objection;
     own.processes.clear();
-    std::erase_if(iterations_,
-                  [&](const SamplePlan::Benchmark& b) { return b.name == sampled.name; });
+    std::erase_if(iterations_, [&](const SamplePlan::Benchmark& b) { return b.name == name; });
   }
 
   void refer() {
@@ -111,6 +145,7 @@ class ResultTimer {
   const ResultRequest& request_;
   StoredResult result_;
   std::vector<SamplePlan::Benchmark> iterations_;  ///< of what has no objection
+  WorkerDeaths deaths_;
 };
 
 }  // namespace

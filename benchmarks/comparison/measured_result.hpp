@@ -29,7 +29,8 @@ struct ResultRequest {
 };
 
 /// Times one build, to be stored or compared with what was. A wrong answer gets no time, and the
-/// benchmark an objection. Throws Interrupted, with nothing kept, and what the side throws.
+/// benchmark an objection; so does one that workers die of, see WorkerDeaths: nothing is kept of a
+/// process that died. Throws Interrupted, with nothing kept, and what the side throws besides.
 StoredResult measure_result(const ResultRequest& request);
 
 }  // namespace phytobench

@@ -45,6 +45,27 @@ TEST_F(MeasuredResult, GivesAWrongAnswerNoTime) {
   EXPECT_EQ(during.benchmarks.back().processes.size(), 7u);
 }
 
+TEST_F(MeasuredResult, KeepsNothingOfAProcessThatDiesAndMeasuresItAgain) {
+  machine_.dead = {3};
+  const StoredResult result = measure({});
+  for (const StoredBenchmark& benchmark : result.benchmarks) {
+    EXPECT_EQ(benchmark.objection, "");
+    EXPECT_EQ(benchmark.processes.size(), 7u);
+  }
+  EXPECT_EQ(machine_.started.size(), 8u);
+}
+
+TEST_F(MeasuredResult, RefusesOnlyWhatProcessesDieOf) {
+  for (const SimulatedBenchmark& deadly :
+       {SimulatedBenchmark{.deaths = 1000}, SimulatedBenchmark{.calibration_deaths = 1000}}) {
+    const StoredResult result = measure(deadly);
+    EXPECT_EQ(result.benchmarks.front().objection, "its worker was killed; it happened 3 times");
+    EXPECT_TRUE(result.benchmarks.front().processes.empty());
+    EXPECT_EQ(result.benchmarks.back().objection, "");
+    EXPECT_EQ(result.benchmarks.back().processes.size(), 7u);
+  }
+}
+
 TEST_F(MeasuredResult, SaysWhatTakesNoTime) {
   EXPECT_EQ(measure({.iterations = 0}).benchmarks.front().objection, no_time_to_measure);
 }

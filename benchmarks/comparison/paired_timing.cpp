@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "benchmarks/comparison/judged_pair.hpp"
 #include "benchmarks/comparison/steady_seconds.hpp"
 #include "benchmarks/comparison/timed_block.hpp"
+#include "benchmarks/comparison/worker_deaths.hpp"
 #include "core/contract/check.hpp"
 #include "core/contract/errors.hpp"
 #include "core/statistics/median_interval.hpp"
@@ -106,11 +108,18 @@ class PairTimer {
 
   /// Once, on base: both sides run the same iterations.
   void calibrate() {
-    const std::vector<std::string> names = names_to_time();
-    if (names.empty()) return;
+    if (names_to_time().empty()) return;
     show("samples are sized");
-    result_.calibrated = request_.base->calibrate(names, request_.settings.sample_ms);
-    for (const std::string& name : names)
+    survive(names_to_time(), [&](const std::vector<std::string>& names) {
+      std::optional<WorkerDeath> death = death_in([&] {
+        for (CalibratedBenchmark& calibrated :
+             request_.base->calibrate(names, request_.settings.sample_ms))
+          result_.calibrated.push_back(std::move(calibrated));
+      });
+      if (death) death->side = "base";
+      return death;
+    });
+    for (const std::string& name : names_to_time())
       if (iterations_of(name) == 0) refuse_unmeasurable(benchmark(name));
   }
 
@@ -146,36 +155,55 @@ class PairTimer {
 
   void run(Phase& phase) {
     for (int block = 0; block < request_.settings.most_blocks; ++block) {
-      const BlockPlan plan{.seed = request_.settings.seed,
-                           .phase = phase.number,
-                           .block = block,
-                           .samples = request_.settings.samples,
-                           .benchmarks = undecided(phase)};
-      if (plan.benchmarks.empty() || (block > 0 && is_out_of_time(phase))) return;
+      const std::vector<std::string> left = undecided(phase);
+      if (left.empty() || (block > 0 && is_out_of_time(phase))) return;
       show(fmt::format("{}: block {} of at most {}, benchmarks left: {}, {:.0f} s of {:.0f} s",
-                       phase.name, block + 1, request_.settings.most_blocks, plan.benchmarks.size(),
+                       phase.name, block + 1, request_.settings.most_blocks, left.size(),
                        now_s() - begin_s_, request_.settings.budget_s));
-      keep_block(phase, plan);
+      survive(left, [&](const std::vector<std::string>& names) {
+        return keep_block(phase, plan_of(phase, block, names));
+      });
     }
   }
 
-  std::vector<SamplePlan::Benchmark> undecided(const Phase& phase) {
-    std::vector<SamplePlan::Benchmark> left;
+  std::vector<std::string> undecided(const Phase& phase) {
+    std::vector<std::string> left;
     for (const std::string& name : names_to_time())
-      if (!is_narrow(benchmark(name).*phase.blocks, request_.settings))
-        left.push_back({name, iterations_of(name), answers_.at(name)});
+      if (!is_narrow(benchmark(name).*phase.blocks, request_.settings)) left.push_back(name);
     return left;
+  }
+
+  BlockPlan plan_of(const Phase& phase, int block, const std::vector<std::string>& names) const {
+    BlockPlan plan{.seed = request_.settings.seed,
+                   .phase = phase.number,
+                   .block = block,
+                   .samples = request_.settings.samples,
+                   .benchmarks = {}};
+    for (const std::string& name : names)
+      plan.benchmarks.push_back({name, iterations_of(name), answers_.at(name)});
+    return plan;
+  }
+
+  void survive(const std::vector<std::string>& names, const WorkerDeaths::Attempt& attempt) {
+    deaths_.survive(names, attempt, [&](const std::string& name, const WorkerDeath& death) {
+      refuse_dead(benchmark(name), death);
+    });
   }
 
   bool is_out_of_time(const Phase& phase) const { return now_s() + phase.longest_s > phase.ends_s; }
 
   /// Runs a block until the machine was quiet, within limits: on average one try more than needed.
-  void keep_block(Phase& phase, const BlockPlan& plan) {
+  /// Keeps nothing of a block in which a worker died.
+  std::optional<WorkerDeath> keep_block(Phase& phase, const BlockPlan& plan) {
     for (int redone = 0;; ++redone) {
       const double start_s = now_s();
       const TimedBlock timed = run_block(*request_.base, *phase.second, plan,
                                          {.stolen_share = request_.stolen_share,
                                           .before_process = [&] { stop_if_interrupted(); }});
+      if (timed.death) {
+        ++result_.dead_blocks;
+        return of_its_side(phase, timed);
+      }
       phase.longest_s = std::max(phase.longest_s, now_s() - start_s);
       if (timed.was_busy && phase.redone <= phase.kept && !is_out_of_time(phase)) {
         ++phase.redone;
@@ -187,8 +215,18 @@ class PairTimer {
       for (const SamplePlan::Benchmark& planned : plan.benchmarks)
         keep(phase, timed, benchmark(planned.name),
              {.block = plan.block, .order = timed.order, .redone = redone});
-      return;
+      return std::nullopt;
     }
+  }
+
+  static const char* side_at(const Phase& phase, const TimedBlock& timed, std::size_t position) {
+    return timed.order[position] == 'B' && phase.number != 0 ? "new" : "base";
+  }
+
+  static WorkerDeath of_its_side(const Phase& phase, const TimedBlock& timed) {
+    WorkerDeath death = *timed.death;
+    death.side = side_at(phase, timed, timed.processes.size());
+    return death;
   }
 
   void keep(const Phase& phase, const TimedBlock& timed, MeasuredBenchmark& benchmark,
@@ -196,7 +234,7 @@ class PairTimer {
     std::vector<ProcessSamples> samples;
     for (std::size_t position = 0; position < timed.processes.size(); ++position) {
       const bool is_second = timed.order[position] == 'B';
-      const char* whose = is_second && phase.number != 0 ? "new" : "base";
+      const char* whose = side_at(phase, timed, position);
       const SampledBenchmark* sampled = sampled_named(timed.processes[position], benchmark.name);
       if (sampled == nullptr) return refuse(benchmark, whose, "it was not run");
       if (!sampled->objection.empty()) return refuse(benchmark, whose, sampled->objection);
@@ -216,6 +254,14 @@ class PairTimer {
     benchmark.objection = fmt::format("{}: {}", whose, reason);
   }
 
+  /// Whoever mends a base that dies must not be refused for it, no more than for its wrong answers.
+  void refuse_dead(MeasuredBenchmark& benchmark, const WorkerDeath& death) {
+    if (death.side != "base") return refuse(benchmark, death.side, death.reason);
+    take_times(benchmark);
+    benchmark.is_same_work = false;
+    benchmark.objection = std::string(base_is_wrong) + death.reason;
+  }
+
   void refuse_unmeasurable(MeasuredBenchmark& benchmark) {
     take_times(benchmark);
     benchmark.is_same_work = false;
@@ -232,6 +278,7 @@ class PairTimer {
   const PairRequest& request_;
   PairTiming result_;
   std::map<std::string, std::string> answers_;  ///< by name, of what is to be timed
+  WorkerDeaths deaths_;
   double begin_s_ = 0.0;
 };
 

@@ -62,12 +62,15 @@ struct PairTiming {
   std::vector<CalibratedBenchmark> calibrated;  ///< on base, for both
   int redone_blocks = 0;         ///< thrown away, with both sides, because the machine was busy
   int busy_blocks = 0;           ///< kept although it was: it had been busy before, too
+  int dead_blocks = 0;           ///< thrown away, with both sides, because a worker died in it
   double seconds = 0.0;          ///< that all blocks took
   bool was_interrupted = false;  ///< blocks that were finished before are kept
 };
 
-/// Throws Interrupted while there is no block to keep, and what the sides throw. ContractViolation
-/// for settings outside their ranges.
+/// A block in which a worker dies is thrown away and measured again, see WorkerDeaths; a benchmark
+/// that is given up has an objection that names the side, and where that is base it is not the same
+/// work. Throws Interrupted while there is no block to keep, and what the sides throw besides.
+/// ContractViolation for settings outside their ranges.
 PairTiming measure_pair(const PairRequest& request);
 
 }  // namespace phytobench

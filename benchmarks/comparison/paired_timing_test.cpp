@@ -179,6 +179,77 @@ TEST_F(PairedTiming, TakesAwayTheTimesOfAnAnswerThatGoesWrongLater) {
   EXPECT_EQ(timing.measured.benchmarks.back().blocks.size(), 8u);
 }
 
+TEST_F(PairedTiming, ThrowsAwayABlockInWhichAWorkerDiesAndMeasuresItWholeAgain) {
+  machine_.noise = 0.0;
+  machine_.dead = {5, 40};  // the second of the second block; in the comparison
+  const PairTiming timing = measure();
+  EXPECT_EQ(timing.dead_blocks, 2);
+  EXPECT_EQ(timing.redone_blocks, 0);
+  for (const MeasuredBenchmark& benchmark : timing.measured.benchmarks) {
+    EXPECT_EQ(benchmark.objection, "");
+    EXPECT_EQ(benchmark.control.size(), 8u);
+    ASSERT_EQ(benchmark.blocks.size(), 8u);
+    for (int block = 0; block < 8; ++block)
+      EXPECT_EQ(benchmark.blocks[static_cast<std::size_t>(block)].block, block);
+  }
+  EXPECT_EQ(timing.samples.size(), 4u * (8 + 8) * 2) << "nothing of the broken blocks is kept";
+  EXPECT_GT(machine_.started.size(), 4u * (8 + 8) + 2);
+}
+
+TEST_F(PairedTiming, RefusesOnlyTheBenchmarkThatWorkersDieOfAndNamesTheSide) {
+  machine_.noise = 0.0;
+  other_["a"].deaths = 1000;
+  const PairTiming timing = measure();
+  const MeasuredBenchmark& a = timing.measured.benchmarks.front();
+  EXPECT_EQ(a.objection, "new: its worker was killed; it happened 3 times");
+  EXPECT_TRUE(a.is_same_work) << "base could do it";
+  EXPECT_TRUE(a.control.empty() && a.blocks.empty());
+  for (const ProcessSamples& process : timing.samples) EXPECT_EQ(process.benchmark, "bb");
+  EXPECT_EQ(timing.measured.benchmarks.back().objection, "");
+  EXPECT_EQ(timing.measured.benchmarks.back().blocks.size(), 8u);
+  EXPECT_EQ(conclude(timing.measured).front().verdict, SpeedVerdict::wrong_answer);
+  EXPECT_EQ(timing.dead_blocks, 6) << "three of both benchmarks, three of one";
+}
+
+TEST_F(PairedTiming, EveryBlockOfWhatSurvivesHasTwoProcessesOfEachSide) {
+  machine_.noise = 0.0;
+  other_["a"].deaths = 4;  // more than are tried again together, fewer than by itself
+  const PairTiming timing = measure();
+  std::map<std::pair<std::string, int>, std::string> sides;
+  for (const ProcessSamples& process : timing.samples)
+    if (!process.is_control)
+      sides[{process.benchmark, process.block}] += process.is_second ? 'B' : 'A';
+  EXPECT_EQ(sides.size(), 16u);
+  for (const MeasuredBenchmark& benchmark : timing.measured.benchmarks) {
+    EXPECT_EQ(benchmark.objection, "");
+    for (const BlockTimes& block : benchmark.blocks)
+      EXPECT_EQ((sides[{benchmark.name, block.block}]), block.order);
+  }
+}
+
+TEST_F(PairedTiming, ABaseThatDiesIsNoFaultOfNew) {
+  machine_.noise = 0.0;
+  base_["a"].deaths = 1000;
+  const PairTiming timing = measure();
+  const std::vector<ConcludedBenchmark> concluded = conclude(timing.measured);
+  EXPECT_EQ(concluded.front().reason, "base is wrong: its worker was killed; it happened 3 times");
+  EXPECT_EQ(concluded.front().verdict, SpeedVerdict::nothing_measured);
+  EXPECT_TRUE(is_base_to_blame(concluded.front()));
+  EXPECT_EQ(timing.measured.benchmarks.back().blocks.size(), 8u);
+}
+
+TEST_F(PairedTiming, SurvivesAWorkerThatDiesWhileSamplesAreSized) {
+  machine_.noise = 0.0;
+  base_["a"].calibration_deaths = 1000;
+  const PairTiming timing = measure();
+  EXPECT_EQ(timing.measured.benchmarks.front().objection,
+            "base is wrong: its worker was killed; it happened 3 times");
+  EXPECT_EQ(timing.measured.benchmarks.back().blocks.size(), 8u);
+  base_["a"].calibration_deaths = 1;
+  machine_.started.clear();
+  EXPECT_EQ(measure().measured.benchmarks.front().objection, "");
+}
+
 TEST_F(PairedTiming, KeepsWhatTakesNoTimeAsSuch) {
   base_["a"].iterations = 0;
   const PairTiming timing = measure();

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "benchmarks/comparison/build_inputs.hpp"
 #include "benchmarks/comparison/child_process.hpp"
 #include "benchmarks/comparison/found_program.hpp"
 #include "benchmarks/comparison/git_revision.hpp"
@@ -21,9 +22,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool says(const fs::path& file, const std::string& commit) {
+/// Empty if there is no such file.
+std::string text_in(const fs::path& file) {
   std::error_code ignored;
-  return fs::is_regular_file(file, ignored) && read_text_file(file) == commit + "\n";
+  return fs::is_regular_file(file, ignored) ? read_text_file(file) : "";
+}
+
+bool says(const fs::path& file, const std::string& commit) {
+  return text_in(file) == commit + "\n";
 }
 
 /// One revision's folder in the cache.
@@ -35,7 +41,8 @@ class RevisionBuild {
         options_(options),
         folder_(fs::absolute(options.cache.empty() ? repository_ / "build" / "compare"
                                                    : options.cache) /
-                short_commit()) {}
+                short_commit()),
+        inputs_(build_inputs()) {}
 
   /// The worker's folder.
   fs::path finished() {
@@ -62,11 +69,12 @@ class RevisionBuild {
   }
 
   bool is_finished() const {
-    return says(folder_ / "finished", commit_) &&
+    return says(folder_ / "finished", commit_) && text_in(folder_ / "made_with") == inputs_ &&
            found_program((binaries() / worker_name).string());
   }
 
   void build() {
+    demand_these_inputs();
     show("unpacking");
     unpack();
     write_file_atomically(log(), "");
@@ -84,6 +92,22 @@ class RevisionBuild {
   void show(const char* step) const {
     if (options_.show_progress)
       options_.show_progress(fmt::format("revision {}: {}", short_commit(), step));
+  }
+
+  /// CMake keeps the compiler and the flags that it was first called with, so what was made, or
+  /// only begun, with others must go.
+  void demand_these_inputs() const {
+    const fs::path mark = folder_ / "made_with";
+    const std::string change = change_of_inputs(text_in(mark), inputs_);
+    if (change.empty()) return;
+    if (options_.tell && says(folder_ / "finished", commit_))
+      options_.tell(fmt::format("revision {} is built again: {}", short_commit(), change));
+    std::error_code error;
+    if (fs::remove(folder_ / "finished", error); !error) fs::remove_all(binaries(), error);
+    if (error)
+      throw EnvironmentError(
+          fmt::format("cannot empty {}: {}", binaries().string(), error.message()));
+    write_file_atomically(mark, inputs_);
   }
 
   /// Unless it was done before.
@@ -153,6 +177,7 @@ class RevisionBuild {
   std::string commit_;
   const RevisionBuildOptions& options_;
   fs::path folder_;
+  std::string inputs_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "benchmarks/comparison/revision_build.hpp"
 
 #include "benchmarks/comparison/side_fixture.hpp"
+#include "benchmarks/comparison/variable_fixture.hpp"
 #include "core/record/folder_lock.hpp"
 
 namespace phytobench {
@@ -45,6 +46,7 @@ class RevisionBuilds : public SideFolder {
     write("repository/CMakeLists.txt", project);
     write("repository/compile.sh", compile);
     options_.show_progress = [this](const std::string& line) { lines_.push_back(line); };
+    options_.tell = [this](const std::string& line) { told_.push_back(line); };
   }
 
   fs::path built(const std::string& commit) {
@@ -56,7 +58,8 @@ class RevisionBuilds : public SideFolder {
   }
 
   RevisionBuildOptions options_;
-  std::vector<std::string> lines_;
+  std::vector<std::string> lines_, told_;
+  Variable flags_{"CXXFLAGS"}, compiler_{"CXX"};
 };
 
 TEST_F(RevisionBuilds, AreMadeOnceInAFolderOfTheirOwn) {
@@ -168,6 +171,54 @@ TEST_F(RevisionBuilds, WithAWrongMarkAreMadeAgain) {
   write(cached(id) / "unpacked", "another\n");
   write(cached(id) / "finished", "another\n");
   EXPECT_TRUE(fs::exists(built(id) / "phytobench_worker"));
+}
+
+TEST_F(RevisionBuilds, MadeWithOtherFlagsAreMadeAgainAndSayWhy) {
+  const std::string id = commit();
+  flags_.set("-O1");
+  const fs::path folder = built(id);
+  write(folder / "CMakeCache.txt.of-before", "");
+  flags_.set("-O2");
+  EXPECT_EQ(built(id), folder);
+  EXPECT_THAT(told_, ElementsAre("revision " + id.substr(0, 12) +
+                                 " is built again: CXXFLAGS was '-O1' and is '-O2'"));
+  EXPECT_FALSE(fs::exists(folder / "CMakeCache.txt.of-before")) << "CMake keeps the flags there";
+  EXPECT_TRUE(fs::exists(folder / "phytobench_worker"));
+  const std::size_t steps = lines_.size();
+  built(id);
+  EXPECT_EQ(lines_.size(), steps) << "it is used again now";
+}
+
+TEST_F(RevisionBuilds, MadeWithAnotherCompilerOfTheSameNameAreMadeAgain) {
+  const std::string id = commit();
+  compiler_.set(write_script("compiler", "echo compiler 1").string());
+  built(id);
+  write_script("compiler", "echo compiler 2");
+  built(id);
+  ASSERT_EQ(told_.size(), 1u);
+  EXPECT_THAT(told_.front(), HasSubstr("compiler was 'compiler 1' and is 'compiler 2'"));
+}
+
+TEST_F(RevisionBuilds, OfUnknownMakingAreMadeAgain) {
+  const std::string id = commit();
+  built(id);
+  fs::remove(cached(id) / "made_with");
+  built(id);
+  ASSERT_EQ(told_.size(), 1u);
+  EXPECT_THAT(told_.front(), HasSubstr("nobody knows what it was built with"));
+}
+
+TEST_F(RevisionBuilds, OnlyBegunWithOtherFlagsAreBegunAnewInSilence) {
+  write("repository/compile.sh", "test -e repaired && cp -L /bin/sh phytobench_worker");
+  const std::string id = commit();
+  flags_.set("-O1");
+  EXPECT_THROW(built(id), EnvironmentError);
+  const fs::path begun = cached(id) / "source" / "build" / "release";
+  write(begun / "repaired", "");
+  flags_.set("-O2");
+  EXPECT_THROW(built(id), EnvironmentError) << "what was begun is gone";
+  EXPECT_FALSE(fs::exists(begun / "repaired"));
+  EXPECT_TRUE(told_.empty());
 }
 
 TEST_F(RevisionBuilds, GoIntoTheCacheThatIsAskedFor) {

@@ -22,6 +22,7 @@ struct SimulatedMachine {
   double drift = 0.0;        ///< log change of the speed from one process to the next
   std::set<int> busy;        ///< processes, by number, that others push off the processor
   std::set<int> stolen;      ///< processes during which another virtual machine takes 10 %
+  std::set<int> dead = {};   ///< processes, by number, that somebody kills
   std::string started = {};  ///< names of the sides, one letter for each process that was timed
   std::vector<SamplePlan> plans = {};  ///< what these were asked
   double stolen_share = 0.0;           ///< since it was asked last
@@ -40,6 +41,8 @@ struct SimulatedBenchmark {
   std::string objection = {};           ///< of the oracle
   std::string sampling_objection = {};  ///< found while it is timed
   std::uint64_t iterations = 10;
+  int deaths = 0;              ///< so many processes that time it die of it, first
+  int calibration_deaths = 0;  ///< likewise
 };
 
 class SimulatedSide final : public TimedSide {
@@ -65,6 +68,7 @@ class SimulatedSide final : public TimedSide {
 
   std::vector<CalibratedBenchmark> calibrate(const std::vector<std::string>& names,
                                              double) override {
+    for (const std::string& name : names) die_of(benchmarks_.at(name).calibration_deaths);
     std::vector<CalibratedBenchmark> calibrated;
     for (const std::string& name : names)
       calibrated.push_back({name, benchmarks_.at(name).iterations, benchmarks_.at(name).seconds});
@@ -76,6 +80,9 @@ class SimulatedSide final : public TimedSide {
     machine_.started += name_;
     machine_.plans.push_back(plan);
     if (machine_.stolen.contains(process)) machine_.stolen_share = 0.1;
+    if (machine_.dead.contains(process)) die();
+    for (const SamplePlan::Benchmark& planned : plan.benchmarks)
+      die_of(benchmarks_.at(planned.name).deaths);
     std::vector<SampledBenchmark> sampled;
     for (const SamplePlan::Benchmark& planned : plan.benchmarks)
       sampled.push_back(sample(planned, plan.samples, process));
@@ -83,6 +90,15 @@ class SimulatedSide final : public TimedSide {
   }
 
  private:
+  [[noreturn]] static void die() {
+    throw WorkerDied("a simulated worker died", {.reason = "its worker was killed"});
+  }
+  static void die_of(int& deaths_left) {
+    if (deaths_left <= 0) return;
+    --deaths_left;
+    die();
+  }
+
   SampledBenchmark sample(const SamplePlan::Benchmark& planned, int samples, int process) {
     const SimulatedBenchmark& own = benchmarks_.at(planned.name);
     SampledBenchmark sampled{.name = planned.name, .objection = own.sampling_objection};

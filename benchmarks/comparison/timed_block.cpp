@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/comparison/timed_block.hpp"
 
+#include "benchmarks/comparison/worker_deaths.hpp"
 #include "core/contract/check.hpp"
 #include "core/random/counter_stream.hpp"
 #include "core/statistics/order_statistics.hpp"
@@ -54,9 +55,12 @@ TimedBlock run_block(TimedSide& base, TimedSide& other, const BlockPlan& plan,
   for (int position = 0; position < processes_of_block; ++position) {
     if (hooks.before_process) hooks.before_process();
     TimedSide& side = timed.order[static_cast<std::size_t>(position)] == 'A' ? base : other;
-    timed.processes.push_back(side.sample({.seed = process_seed(plan, position),
-                                           .samples = plan.samples,
-                                           .benchmarks = plan.benchmarks}));
+    timed.death = death_in([&] {
+      timed.processes.push_back(side.sample({.seed = process_seed(plan, position),
+                                             .samples = plan.samples,
+                                             .benchmarks = plan.benchmarks}));
+    });
+    if (timed.death) return timed;
     timed.was_busy = timed.was_busy || is_busy(timed.processes.back());
   }
   if (hooks.stolen_share && hooks.stolen_share() > most_stolen_share) timed.was_busy = true;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct BlockPlan {
 struct TimedBlock {
   std::string order;                                     ///< "ABBA" or "BAAB"; A is base
   std::vector<std::vector<SampledBenchmark>> processes;  ///< four, in that order
+  /// Of the worker at the place after the last process. The block is none then: sides that were not
+  /// timed in turns must not be compared.
+  std::optional<WorkerDeath> death = {};
   bool was_busy = false;  ///< the machine did something else: is_busy() for it or a process
 };
 
@@ -49,6 +53,7 @@ struct BlockHooks {
   std::function<void()> before_process = {};  ///< may be empty; may throw
 };
 
+/// Ends with the first worker that dies.
 TimedBlock run_block(TimedSide& base, TimedSide& other, const BlockPlan& plan,
                      const BlockHooks& hooks);
 

@@ -74,6 +74,16 @@ TEST_F(TimedBlockOf, ABusyMachineSaysSo) {
   EXPECT_FALSE(run(plan_of(3)).was_busy) << "what was stolen before is no fault of this block";
 }
 
+TEST_F(TimedBlockOf, ADeadWorkerEndsAndSaysWhichOneItWas) {
+  machine_.dead = {2};
+  const TimedBlock timed = run(plan_of(0));
+  ASSERT_TRUE(timed.death);
+  EXPECT_EQ(timed.death->reason, "its worker was killed");
+  EXPECT_EQ(timed.processes.size(), 2u);
+  EXPECT_EQ(machine_.started.size(), 3u);
+  EXPECT_FALSE(run(plan_of(1)).death);
+}
+
 TEST(IsBusy, AllowsOneSwitchInTenMillisecondsAndFiveMore) {
   SampledBenchmark sampled{.name = "a", .samples = {{1, 0.09, 0.1}}, .involuntary_switches = 15};
   EXPECT_FALSE(is_busy({sampled}));

@@ -74,7 +74,7 @@ std::optional<ConcludedBenchmark> refusal(const StoredBenchmark& base, const Sto
     return said(SpeedVerdict::nothing_measured, "base has no times: " + base.objection);
   if (other.objection == no_time_to_measure)
     return said(SpeedVerdict::nothing_measured, other.objection);
-  if (!other.objection.empty()) return said(SpeedVerdict::wrong_answer, other.objection);
+  if (!other.objection.empty()) return said(SpeedVerdict::wrong_answer, "new: " + other.objection);
   if (!base.inputs.empty() && !other.inputs.empty() && base.inputs != other.inputs)
     return said(SpeedVerdict::nothing_measured, "inputs differ: it is not the same work");
   if (!base.answer.empty() && !other.answer.empty() && base.answer != other.answer)

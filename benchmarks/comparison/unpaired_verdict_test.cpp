@@ -160,6 +160,7 @@ TEST(UnpairedVerdict, WhatHasNoTimesIsNoPass) {
   };
   StoredBenchmark wrong{.name = "a", .objection = "node 3 instead of 2"};
   EXPECT_EQ(verdict_with(good, wrong), SpeedVerdict::wrong_answer);
+  EXPECT_EQ(verdict_on(result_of({good}), result_of({wrong})).reason, "new: node 3 instead of 2");
   EXPECT_EQ(verdict_with(wrong, good), SpeedVerdict::nothing_measured);
   const StoredBenchmark idle{.name = "a", .objection = std::string(no_time_to_measure)};
   EXPECT_EQ(verdict_with(good, idle), SpeedVerdict::nothing_measured);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How often the verdicts are right on machines whose noise is known. Every bound is one that a
 // share of 400 repetitions keeps with its interval of Clopper and Pearson, not one that was seen.
+// How many blocks there are is fixed here; verdict_stopping_test.cpp has the rule that stops.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -10,6 +10,7 @@
 
 #include "benchmarks/comparison/comparison.hpp"
 #include "benchmarks/comparison/comparison_fixture.hpp"
+#include "benchmarks/comparison/simulated_noise.hpp"
 #include "core/random/counter_stream.hpp"
 #include "core/random/distributions.hpp"
 #include "core/statistics/binomial_interval.hpp"
@@ -17,37 +18,7 @@
 namespace phytobench {
 namespace {
 
-constexpr int repetitions = 400;
-// The interval's ends scatter by a tenth of its width at 1,000 resamples.
-constexpr VerdictSettings quick{.resamples = 1000};
-
-enum class NoiseLaw {
-  lognormal,
-  student,  ///< of two degrees of freedom: its variance is infinite
-  spikes,   ///< lognormal, and every tenth process is disturbed ten times as much, only upwards
-};
-
-constexpr std::array every_law{NoiseLaw::lognormal, NoiseLaw::student, NoiseLaw::spikes};
-
-/// How the time of a process scatters. Four of them make a block, whose log ratio scatters alike.
-struct Machine {
-  NoiseLaw law = NoiseLaw::lognormal;
-  double noise = 0.03;  ///< scale of the law, of the logarithm
-  double drift = 0.0;   ///< by how much of the first's time each takes longer than the last
-};
-
-double log_noise(const Machine& machine, UnitStream& stream) {
-  if (machine.law == NoiseLaw::student) {
-    const double u = std::max(stream.next_unit(), 0x1p-54);  // in (0, 1)
-    return machine.noise * (2.0 * u - 1.0) / std::sqrt(2.0 * u * (1.0 - u));
-  }
-  double noise = random_normal(stream);
-  if (machine.law == NoiseLaw::spikes && stream.next_unit() < 0.1)
-    noise += 10.0 * random_exponential(stream);
-  return machine.noise * noise;
-}
-
-std::vector<BlockTimes> simulated(const Machine& machine, int count, double ratio,
+std::vector<BlockTimes> simulated(const NoisyMachine& machine, int count, double ratio,
                                   UnitStream& stream) {
   std::vector<BlockTimes> blocks;
   int place = 0;
@@ -69,7 +40,7 @@ std::vector<BlockTimes> simulated(const Machine& machine, int count, double rati
 }
 
 struct Experiment {
-  Machine machine;
+  NoisyMachine machine;
   double ratio = 1.0;
   int blocks = 10;  ///< of the control, too
 };
@@ -86,21 +57,6 @@ std::vector<ConcludedBenchmark> repeated(const Experiment& experiment) {
     all.push_back(conclude(measured, quick).at(0));
   }
   return all;
-}
-
-/// The share of a verdict, with an interval that holds it 95 times in 100.
-Estimate share_of(SpeedVerdict verdict, const std::vector<ConcludedBenchmark>& all) {
-  const auto count = std::count_if(all.begin(), all.end(),
-                                   [&](const auto& each) { return each.verdict == verdict; });
-  return share_estimate(count, static_cast<std::int64_t>(all.size()));
-}
-
-/// The share of "slower" and "faster" together.
-Estimate share_of_alarms(const std::vector<ConcludedBenchmark>& all) {
-  const auto count = std::count_if(all.begin(), all.end(), [](const auto& each) {
-    return each.verdict == SpeedVerdict::slower || each.verdict == SpeedVerdict::faster;
-  });
-  return share_estimate(count, static_cast<std::int64_t>(all.size()));
 }
 
 TEST(VerdictRatesSlow, FalseAlarmsAreRarerThanOneInTwenty) {
@@ -134,7 +90,7 @@ TEST(VerdictRatesSlow, ATenthIsFoundInTenBlocks) {
 // Ten blocks of such noise find half of them, but take none for the same.
 TEST(VerdictRatesSlow, ATenthIsFoundInThirtyBlocksUnderHeavyTails) {
   for (const NoiseLaw law : {NoiseLaw::student, NoiseLaw::spikes}) {
-    const Machine machine{.law = law, .noise = 0.03};
+    const NoisyMachine machine{.law = law, .noise = 0.03};
     const auto few = repeated({.machine = machine, .ratio = 1.1, .blocks = 10});
     EXPECT_LT(share_of(SpeedVerdict::same, few).high, 0.05);
     const auto many = repeated({.machine = machine, .ratio = 1.1, .blocks = 30});
@@ -185,7 +141,7 @@ TEST(VerdictRatesSlow, OneLossIsFoundAmongTwentyBenchmarks) {
 
 // A machine that becomes slower by a fifth while it is measured.
 TEST(VerdictSimulation, AlternatingProcessesCancelADrift) {
-  const Machine warming{.noise = 0.001, .drift = 0.005};
+  const NoisyMachine warming{.noise = 0.001, .drift = 0.005};
   CounterStream stream(63, 0);
   const auto control = simulated(warming, 10, 1.0, stream);
   Measured measured;

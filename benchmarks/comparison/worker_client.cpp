@@ -32,13 +32,29 @@ std::size_t size_of(const ChildOptions& call) {
   return bytes;
 }
 
-/// Neither its work nor its own failure ended it.
-bool has_died(const ChildResult& result) {
-  return result.timed_out || result.signal != 0;
+constexpr std::string_view own_words = "phytobench_worker: ";
+
+/// Where a worker judges or sizes a benchmark, it runs twice, and its oracle takes time as well.
+constexpr std::size_t answers_without_samples = 3;
+
+/// What the worker, or whatever ended it, has said last; empty if nothing.
+std::string said_last(const ChildResult& result) {
+  std::string said = last_line(result.err);
+  if (said.starts_with(own_words)) said.erase(0, own_words.size());
+  return said;
 }
 
-std::string death_of(const ChildResult& result, double limit_s) {
-  return "its worker " + ending_of(result, limit_s);
+/// Whether the worker itself says no. A plugin that ends the program uses no such words.
+bool is_refusal(const ChildResult& result) {
+  return !result.timed_out && (result.exit_code == 2 || result.exit_code == 4) &&
+         last_line(result.err).starts_with(own_words);
+}
+
+/// "ended with exit code 3: disk full".
+std::string ending_in_words(const ChildResult& result, double limit_s) {
+  const std::string said = said_last(result);
+  return ending_of(result, limit_s) + (result.is_ok() ? " without an answer" : "") +
+         (said.empty() ? "" : ": " + said);
 }
 
 /// Throws InputError unless exactly the benchmarks that were asked for are answered, in any order;
@@ -96,14 +112,20 @@ ChildResult WorkerClient::run_timed(ChildOptions call, double limit_s) const {
 
 std::string WorkerClient::answer_of(const ChildResult& result, const std::string& verb,
                                     double limit_s) const {
-  if (result.is_ok()) return result.out;
-  constexpr std::string_view prefix = "phytobench_worker: ";
-  std::string said = last_line(result.err);
-  if (said.starts_with(prefix)) said.erase(0, prefix.size());
-  if (result.exit_code == 2) throw InputError(fmt::format("{}: {}", title_of(side_), said));
-  if (result.exit_code == 4) throw NothingSelected(fmt::format("{}: {}", title_of(side_), said));
-  throw EnvironmentError(fmt::format("{}: its worker, asked to {}, {}{}{}", title_of(side_), verb,
-                                     ending_of(result, limit_s), said.empty() ? "" : ": ", said));
+  if (result.is_ok() && !result.out.empty()) return result.out;
+  if (is_refusal(result)) {
+    const std::string refusal = fmt::format("{}: {}", title_of(side_), said_last(result));
+    if (result.exit_code == 4) throw NothingSelected(refusal);
+    throw InputError(refusal);
+  }
+  const std::string ending = ending_in_words(result, limit_s);
+  throw WorkerDied(fmt::format("{}: its worker, asked to {}, {}", title_of(side_), verb, ending),
+                   {.reason = "its worker " + ending, .was_stopped = result.timed_out});
+}
+
+double WorkerClient::limit_of(std::size_t answers, double otherwise) const {
+  return options_.answer_limit_s ? *options_.answer_limit_s * static_cast<double>(answers)
+                                 : otherwise;
 }
 
 WorkerDescription WorkerClient::describe() const {
@@ -121,13 +143,16 @@ std::vector<std::string> WorkerClient::names() {
 
 std::vector<VerifiedBenchmark> WorkerClient::judge(const std::string& verb,
                                                    const std::vector<std::string>& names) const {
-  const ChildResult result = run(worker_call(side_, verb, names), options_.verify_limit_s);
-  if (!has_died(result) || names.empty())
-    return in_order(
-        verified_from(answer_of(result, verb, options_.verify_limit_s), title_of(side_)), names,
-        title_of(side_));
-  if (names.size() == 1)
-    return {{.name = names.front(), .objection = death_of(result, options_.verify_limit_s)}};
+  const double limit_s = limit_of(answers_without_samples * std::max<std::size_t>(names.size(), 1),
+                                  options_.verify_limit_s);
+  const ChildResult result = run(worker_call(side_, verb, names), limit_s);
+  try {
+    return in_order(verified_from(answer_of(result, verb, limit_s), title_of(side_)), names,
+                    title_of(side_));
+  } catch (const WorkerDied& died) {
+    if (names.empty()) throw;
+    if (names.size() == 1) return {{.name = names.front(), .objection = died.death().reason}};
+  }
   std::vector<VerifiedBenchmark> all;
   for (const std::string& name : names) all.push_back(judge(verb, {name}).front());
   return all;
@@ -145,11 +170,10 @@ std::vector<CalibratedBenchmark> WorkerClient::calibrate(const std::vector<std::
                                                          double sample_ms) {
   std::vector<std::string> arguments = {"--sample-ms", fmt::format("{}", sample_ms)};
   arguments.insert(arguments.end(), names.begin(), names.end());
-  const double limit_s = options_.sample_limit_s;
+  const double planned_s = 1e-3 * sample_ms * static_cast<double>(names.size());
+  const double limit_s =
+      limit_of(answers_without_samples * names.size(), options_.sample_limit_s) + 10.0 * planned_s;
   const ChildResult result = run_timed(worker_call(side_, "calibrate", arguments), limit_s);
-  if (has_died(result) && names.size() == 1)
-    throw EnvironmentError(fmt::format("{}: {} while '{}' was calibrated", title_of(side_),
-                                       death_of(result, limit_s), names.front()));
   return in_order(calibrated_from(answer_of(result, "calibrate", limit_s), title_of(side_)), names,
                   title_of(side_));
 }
@@ -158,22 +182,16 @@ std::vector<SampledBenchmark> WorkerClient::sample(const SamplePlan& plan) {
   if (plan.benchmarks.empty()) return {};
   const double planned_s =
       1e-3 * options_.sample_ms * plan.samples * static_cast<double>(plan.benchmarks.size());
-  const double limit_s = options_.sample_limit_s + 10.0 * planned_s;
+  // A sample is at least one run, and one goes before the first.
+  const std::size_t answers = (static_cast<std::size_t>(plan.samples) + 1) * plan.benchmarks.size();
+  const double limit_s = limit_of(answers, options_.sample_limit_s) + 10.0 * planned_s;
   ChildOptions call = worker_call(side_, "sample", {});
   call.input = to_json(plan);
   const ChildResult result = run_timed(std::move(call), limit_s);
   std::vector<std::string> names;
   for (const SamplePlan::Benchmark& benchmark : plan.benchmarks) names.push_back(benchmark.name);
-  if (!has_died(result))
-    return in_order(sampled_from(answer_of(result, "sample", limit_s), title_of(side_)), names,
-                    title_of(side_));
-  if (names.size() == 1) return {{.name = names.front(), .objection = death_of(result, limit_s)}};
-  std::vector<SampledBenchmark> all;
-  for (const SamplePlan::Benchmark& benchmark : plan.benchmarks) {
-    const SamplePlan alone{.seed = plan.seed, .samples = plan.samples, .benchmarks = {benchmark}};
-    all.push_back(sample(alone).front());
-  }
-  return all;
+  return in_order(sampled_from(answer_of(result, "sample", limit_s), title_of(side_)), names,
+                  title_of(side_));
 }
 
 }  // namespace phytobench

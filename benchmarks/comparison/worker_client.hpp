@@ -21,6 +21,9 @@ struct WorkerClientOptions {
   double verify_limit_s = 600.0;  ///< of a process that judges, counts or lists
   double sample_limit_s = 600.0;  ///< of one that times, besides ten times what is planned: a
                                   ///< sample is at least one run, however long that takes
+  /// Seconds that one answer may take; > 0. Both limits are replaced by what the answers may take
+  /// that a process is asked for. Nothing: they stand.
+  std::optional<double> answer_limit_s = std::nullopt;
 };
 
 /// How the worker of a side is called, for programs that run it as well (callgrind). Both sides of
@@ -30,10 +33,13 @@ struct WorkerClientOptions {
 ChildOptions worker_call(const Side& side, const std::string& verb,
                          const std::vector<std::string>& arguments);
 
-/// Asks the worker of a side, each time in a fresh process. A worker that is killed by a signal or
-/// exceeds its limit is asked again for one benchmark at a time; the one that this happens to has
-/// an objection then. Throws InputError, with the side's title, for what the worker refuses and for
-/// answers that cannot be read; NothingSelected; Interrupted; EnvironmentError for all else.
+/// Asks the worker of a side, each time in a fresh process. A worker has died if a signal or its
+/// limit ended it, or if it ended by itself with neither an answer nor a refusal in its own words:
+/// a plugin may end it, too. One that dies while it judges or counts is asked again for one
+/// benchmark at a time; the one that this happens to has an objection then. Throws InputError, with
+/// the side's title, for what the worker refuses and for answers that cannot be read;
+/// NothingSelected; Interrupted; WorkerDied where it died of anything else; EnvironmentError for
+/// all else.
 class WorkerClient : public TimedSide {
  public:
   /// The side must have a worker.
@@ -49,7 +55,6 @@ class WorkerClient : public TimedSide {
   std::vector<VerifiedBenchmark> verify(const std::vector<std::string>& names) override;
   std::vector<VerifiedBenchmark> counters(const std::vector<std::string>& names);
 
-  /// Throws EnvironmentError where the worker does not survive it.
   std::vector<CalibratedBenchmark> calibrate(const std::vector<std::string>& names,
                                              double sample_ms) override;
 
@@ -61,6 +66,9 @@ class WorkerClient : public TimedSide {
   std::vector<VerifiedBenchmark> judge(const std::string& verb,
                                        const std::vector<std::string>& names) const;
   std::string answer_of(const ChildResult& result, const std::string& verb, double limit_s) const;
+
+  /// Seconds for a process that gives so many answers; `otherwise` without a limit of answers.
+  double limit_of(std::size_t answers, double otherwise) const;
 
   Side side_;
   WorkerClientOptions options_;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/comparison/worker_client.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <map>
 
 #include "benchmarks/comparison/processor_split.hpp"
 #include "benchmarks/comparison/side_fixture.hpp"
+#include "benchmarks/comparison/worker_deaths.hpp"
 
 namespace phytobench {
 namespace {
@@ -70,8 +73,8 @@ TEST_F(WorkerClients, RefuseAnswersForOtherBenchmarks) {
 }
 
 TEST_F(WorkerClients, RefuseAnswersThatCannotBeRead) {
-  for (const std::string& text : {std::string(), std::string("{}"), std::string("\0", 1),
-                                  to_json(std::vector<CalibratedBenchmark>{})})
+  for (const std::string& text :
+       {std::string("{}"), std::string("\0", 1), to_json(std::vector<CalibratedBenchmark>{})})
     EXPECT_THAT(message_of<InputError>([&] { answering(text).verify({"a"}); }),
                 testing::StartsWith("new: "));
 }
@@ -98,8 +101,8 @@ TEST_F(WorkerClients, PassOnWhatTheWorkerObjectsTo) {
   EXPECT_EQ(message_of<InputError>([&] { client(says + "2").describe(); }), "new: no such thing");
   EXPECT_EQ(message_of<NothingSelected>([&] { client(says + "4").describe(); }),
             "new: no such thing");
-  EXPECT_EQ(message_of<EnvironmentError>([&] { client(says + "3").verify({"a"}); }),
-            "new: its worker, asked to verify, ended with exit code 3: no such thing");
+  EXPECT_EQ(message_of<EnvironmentError>([&] { client(says + "3").describe(); }),
+            "new: its worker, asked to list, ended with exit code 3: no such thing");
   EXPECT_EQ(message_of<EnvironmentError>([&] { client("exit 1").describe(); }),
             "new: its worker, asked to list, ended with exit code 1");
   EXPECT_THAT(message_of<EnvironmentError>([&] { client("kill -ABRT $$").describe(); }),
@@ -125,26 +128,76 @@ TEST_F(WorkerClients, FindOutWhichBenchmarkKillsTheWorker) {
   EXPECT_THAT(read_text_file(folder_ / "calls"), HasSubstr("0.1 a b\nverify"));
 }
 
-TEST_F(WorkerClients, FindOutWhichBenchmarkKillsTheWorkerWhileItIsTimed) {
+/// The death that an action ends with; no reason if it does not.
+template <class Action>
+WorkerDeath death_of(const Action& action) {
+  return death_in(action).value_or(WorkerDeath{});
+}
+
+SamplePlan plan_of(const std::vector<std::string>& names) {
+  SamplePlan plan{.samples = 1, .benchmarks = {}};
+  for (const std::string& name : names)
+    plan.benchmarks.push_back({.name = name, .iterations = 1, .answer = {}});
+  return plan;
+}
+
+TEST_F(WorkerClients, NeverTimeInFurtherProcessesWhatWasAskedForInOne) {
   write("answer",
         to_json(std::vector<SampledBenchmark>{{.name = "a", .samples = {TimedSample{}}}}));
-  const auto sampled =
-      client(crashes_on_b)
-          .sample({.benchmarks = {{.name = "a", .iterations = 1}, {.name = "b", .iterations = 1}}});
-  ASSERT_EQ(sampled.size(), 2u);
-  EXPECT_EQ(sampled[0].objection, "");
-  EXPECT_EQ(sampled[0].samples.size(), 1u);
-  EXPECT_THAT(sampled[1].objection, HasSubstr("its worker was killed by signal 11"));
-  EXPECT_THAT(message_of<EnvironmentError>([&] { client(crashes_on_b).calibrate({"b"}, 10.0); }),
-              HasSubstr("while 'b' was calibrated"));
+  WorkerClient asked = client(crashes_on_b);
+  EXPECT_THAT(death_of([&] {
+                asked.sample(plan_of({"a", "b"}));
+              }).reason,
+              HasSubstr("its worker was killed by signal 11"));
+  const auto calibrate_both = [&] { asked.calibrate({"a", "b"}, 10.0); };
+  EXPECT_THAT(death_of(calibrate_both).reason, HasSubstr("its worker was killed by signal 11"));
+  const std::string calls = read_text_file(folder_ / "calls");
+  EXPECT_EQ(std::count(calls.begin(), calls.end(), '\n'), 2) << calls;
+  EXPECT_EQ(asked.sample(plan_of({"a"})).front().samples.size(), 1u);
+}
+
+/// Ends where the benchmark b takes part, as a plugin can end the program that loads it.
+std::string ends_on_b(const std::string& how) {
+  return "cat > input\ncase \"$* $(cat input)\" in *' b'*|*'\"b\"'*) " + how +
+         ";; esac\ncat answer";
+}
+
+TEST_F(WorkerClients, TakeAnUnexpectedEndForAVerdictOnTheBenchmarkAlone) {
+  const std::map<std::string, std::string> endings = {
+      {"exit 0", "its worker ended with exit code 0 without an answer"},
+      {"exit 1", "its worker ended with exit code 1"},
+      {"echo 'out of ideas' >&2; exit 2", "its worker ended with exit code 2: out of ideas"},
+      {"echo 'phytobench_worker: disk full' >&2; exit 3",
+       "its worker ended with exit code 3: disk full"},
+      {"exit 4", "its worker ended with exit code 4"}};
+  for (const auto& [how, reason] : endings) {
+    write("answer", to_json(std::vector<VerifiedBenchmark>{{.name = "a", .answer = "2"}}));
+    WorkerClient asked = client(ends_on_b(how));
+    const auto verified = asked.verify({"a", "b"});
+    ASSERT_EQ(verified.size(), 2u) << how;
+    EXPECT_EQ(verified[0].answer, "2") << how;
+    EXPECT_EQ(verified[0].objection, "") << how;
+    EXPECT_EQ(verified[1].objection, reason);
+    EXPECT_EQ(death_of([&] { asked.sample(plan_of({"b"})); }).reason, reason);
+    EXPECT_EQ(death_of([&] { asked.calibrate({"b"}, 1.0); }).reason, reason);
+  }
+}
+
+TEST_F(WorkerClients, StopAnAnswerAtItsOwnLimit) {
+  WorkerClient hanging = client("exec sleep 60", {.sample_ms = 1.0, .answer_limit_s = 0.1});
+  EXPECT_EQ(hanging.verify({"a"}).front().objection, "its worker took longer than 0.3 s");
+  const WorkerDeath death = death_of([&] { hanging.sample(plan_of({"a"})); });
+  EXPECT_EQ(death.reason, "its worker took longer than 0.21 s");
+  EXPECT_TRUE(death.was_stopped);
 }
 
 TEST_F(WorkerClients, StopAWorkerThatHangs) {
   WorkerClient hanging =
       client("exec sleep 60", {.sample_ms = 1.0, .verify_limit_s = 0.1, .sample_limit_s = 0.1});
   EXPECT_EQ(hanging.verify({"a"}).front().objection, "its worker took longer than 0.1 s");
-  const SamplePlan plan{.samples = 1, .benchmarks = {{.name = "a", .iterations = 1}}};
-  EXPECT_THAT(hanging.sample(plan).front().objection, HasSubstr("took longer than 0.11 s"));
+  const WorkerDeath death = death_of([&] { hanging.sample(plan_of({"a"})); });
+  EXPECT_THAT(death.reason, HasSubstr("took longer than 0.11 s"));
+  EXPECT_TRUE(death.was_stopped);
   EXPECT_THROW(hanging.calibrate({"a"}, 10.0), EnvironmentError);
   EXPECT_THROW(hanging.describe(), EnvironmentError);
 }

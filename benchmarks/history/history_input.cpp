@@ -36,8 +36,9 @@ std::uint64_t count_from(const ordered_json& json, const std::string& what) {
 }
 
 HistoryInput counters_from(const std::string& text, const std::string& whose) {
-  HistoryInput input;
-  for (const auto& [name, benchmark] : counter_baseline_from(text, whose))
+  const CounterDocument document = counter_document_from(text, whose);
+  HistoryInput input{.origin = document.origin, .machine = std::nullopt, .values = {}};
+  for (const auto& [name, benchmark] : document.benchmarks)
     for (const auto& [counter, count] : benchmark.counters)
       input.values.push_back(
           HistoryValue::counted(name, benchmark.inputs, HistoryQuantity::counter(counter), count));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The files that a history is made of:
-//   phytobench/counters-1      counter_gate.hpp
+//   phytobench/counters-1      counter_gate.hpp; with `origin` if bench counters --out wrote it
 //   phytobench/instructions-1  {schema, base, new, benchmarks: [{name, new: {instructions, inputs},
 //                              ...}]}, of which that of `new` is kept; or of one build
 //                              {schema, origin, machine, benchmarks: [{name, instructions,
 //                              inputs}]}
 //   phytobench/result-1        stored_result.hpp; kept as ratios to its reference kernel
-// `origin`, `new` and `machine` are as in stored_result.hpp. The first file has none of them, and
-// in the second they may be missing, as `inputs` may.
+// `origin`, `new` and `machine` are as in stored_result.hpp. In the first two files they may be
+// missing, as `inputs` may in the second.
 #pragma once
 
 #include <filesystem>

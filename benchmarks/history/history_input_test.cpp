@@ -59,6 +59,18 @@ TEST_F(HistoryInputFile, CountersAreOfThisBuildWhereTheFileDoesNotSay) {
   EXPECT_THAT(entry.values, ElementsAre(value("evaluations", 12), value("nodes", 3)));
 }
 
+TEST_F(HistoryInputFile, CountersAreOfTheBuildThatTheirFileNames) {
+  const std::string file = file_of(
+      "c.json",
+      to_json(CounterDocument{SideOrigin{.commit = "abc", .changed = true, .compiler = "GNU 13"},
+                              CounterBaseline{{"p/one", {some_inputs, {{"evaluations", 12}}}}}}));
+  const HistoryEntry entry = history_entry_of({file}, history_run_of("me"));
+  EXPECT_EQ(entry.run.commit, "abc");
+  EXPECT_TRUE(entry.run.changed);
+  EXPECT_EQ(entry.run.compiler, "GNU 13");
+  EXPECT_EQ(entry.values.size(), 1u);
+}
+
 TEST_F(HistoryInputFile, InstructionsKeepAllDigitsAndTheirBuild) {
   const HistoryEntry entry =
       history_entry_of({file_of("i.json", instructions)}, history_run_of("me"));

@@ -68,11 +68,12 @@ void begin_history(const SqliteDatabase& database, HistoryAccess access) {
   if (is_empty && access == HistoryAccess::read)
     throw InputError(whose + ": is empty; `phytobench history append RESULT.json` fills it");
   if (!is_empty && id != application_id)
-    throw InputError(whose + ": is an SQLite file of another program; choose another --file");
+    throw InputError(
+        whose + ": is an SQLite file of another program; give a history, or a name that is free");
   if (version > history_version)
     throw InputError(fmt::format(
         "{}: is a history of format {}, written by a newer phytobench; this one knows {}: use that "
-        "one, or another --file",
+        "one, or another file",
         whose, version, history_version));
   if (!is_empty && version < history_version)
     throw InputError(whose + ": is damaged: its format has no number; restore a copy");

@@ -52,7 +52,7 @@ void SqliteDatabase::fail(int code) const {
   const std::string whose = file_.string();
   switch (code & 0xff) {  // the rest of the code is its detail
     case SQLITE_NOTADB:
-      throw InputError(whose + ": is no SQLite file; choose another --file");
+      throw InputError(whose + ": is no SQLite file; give a history, or a name that is free");
     case SQLITE_CORRUPT:
     case SQLITE_ERROR:
       throw InputError(whose + ": is damaged (" + what + "); restore a copy or start another file");

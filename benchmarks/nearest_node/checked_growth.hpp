@@ -20,7 +20,8 @@ struct CheckedGrowth;
 class VerifiedRun {
  public:
   /// Grows once more and returns the tree with its times. Throws ContractViolation if it is another
-  /// tree than the one that was checked: then its time is worth nothing.
+  /// tree than the one that was checked: then its time is worth nothing. An engine from outside is
+  /// no bug of ours: it throws PluginMisbehaved.
   GrowthResult grow() const;
 
   const EngineDescriptor& engine() const { return *engine_; }

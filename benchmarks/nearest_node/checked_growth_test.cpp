@@ -8,6 +8,7 @@
 #include "benchmarks/nearest_node/awkward_seedlings.hpp"
 #include "core/colonization/tree_parameters_file.hpp"
 #include "core/nearest_node/engine_registry.hpp"
+#include "core/nearest_node/plugin/engine_plugin.hpp"
 #include "reference/tree_presets.hpp"
 
 namespace phytobench {
@@ -99,6 +100,17 @@ TEST(WrongEngine, IsReportedWithIterationPointNodesAndDistances) {
   for (const char* part :
        {"iteration ", "point ", "node ", "squared distance", "the judge has node "})
     EXPECT_NE(checked.disagreement.find(part), std::string::npos) << checked.disagreement;
+}
+
+// An engine from outside that is moody is no bug of this program.
+TEST(VerifiedRun, OfAPluginIsNotTimedIfItsTreeIsAnotherThen) {
+  const EnginePlugin plugin(PHYTOBENCH_EXAMPLE_PLUGINS "/faulty/changes_its_mind.so");
+  const Seedling seedling = with_crown_stem(seedling_with(lattice(4, 0.25), 0.5, 0.25, 10));
+  const GrowthOracle oracle(seedling);
+  const CheckedGrowth checked = grow_checked(plugin.descriptor(), seedling, oracle, {});
+  ASSERT_TRUE(checked.verified.has_value()) << checked.disagreement;
+  EXPECT_NO_THROW(checked.verified->grow());
+  EXPECT_THROW(checked.verified->grow(), PluginMisbehaved);
 }
 
 // Every reading of the thesis, grown by core and by the oracle, which share no code.

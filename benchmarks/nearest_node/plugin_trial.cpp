@@ -10,6 +10,7 @@
 #include "benchmarks/heap_memory.hpp"
 #include "benchmarks/nearest_node/checked_growth.hpp"
 #include "benchmarks/nearest_node/growth_trace.hpp"
+#include "benchmarks/nearest_node/unusual_calls.hpp"
 #include "benchmarks/nearest_node/workload.hpp"
 #include "benchmarks/resident_memory.hpp"
 #include "core/contract/check.hpp"
@@ -26,37 +27,56 @@ using Kind = PluginVerdict::Kind;
 constexpr std::size_t watched_growths = 6;
 constexpr std::size_t settled_growths = 4;  // of these; caches have filled before
 
+struct TrialRun {
+  std::string_view option;  ///< of the growth loop; n is nothing to a plugin
+  int threads;
+};
+constexpr TrialRun trial_runs[] = {{"s", 1}, {"d", 1}, {"d", 2}};
+
 /// The first wrong answer; empty if there is none.
+std::string disagreement(const EngineDescriptor& engine, const NamedSeedling& tried,
+                         const GrowthOracle& oracle, const TrialRun& run) {
+  std::string what;
+  try {
+    what = grow_checked(engine, tried.seedling, oracle,
+                        {.options = loop_options_named(run.option), .threads = run.threads})
+               .disagreement;
+  } catch (const PluginMisbehaved& misbehaved) {
+    what = misbehaved.what();
+  }
+  if (what.empty()) return what;
+  return fmt::format("{}, loop option {}{}: {}", tried.name, run.option,
+                     run.threads > 1 ? fmt::format(", {} threads", run.threads) : "", what);
+}
+
 std::string disagreement(const EngineDescriptor& engine,
                          const std::vector<NamedSeedling>& seedlings) {
   for (const NamedSeedling& tried : seedlings) {
     const GrowthOracle oracle(tried.seedling);
-    for (const std::string_view option : {"s", "d"}) {  // option n is nothing to a plugin
-      const auto in_words = [&](const std::string& what) {
-        return fmt::format("{}, loop option {}: {}", tried.name, option, what);
-      };
-      try {
-        const CheckedGrowth checked =
-            grow_checked(engine, tried.seedling, oracle, {.options = loop_options_named(option)});
-        if (!checked.verified) return in_words(checked.disagreement);
-      } catch (const PluginMisbehaved& misbehaved) {
-        return in_words(misbehaved.what());
-      }
-    }
+    for (const TrialRun& run : trial_runs)
+      if (std::string what = disagreement(engine, tried, oracle, run); !what.empty()) return what;
   }
-  return {};
+  return wrong_in_unusual_calls(engine);
 }
 
-/// Replays one growth again and again: only the engine allocates.
+/// Replays one growth again and again: only the engine allocates. Throws PluginMisbehaved if the
+/// answers are not always the same.
 MemoryAfterGrowths watch_memory(const EngineDescriptor& engine, const Seedling& seedling) {
-  const GrowthTrace trace = record_trace(engine_named("node_driven"), seedling, {});
+  const EngineDescriptor& trusted = engine_named("node_driven");
+  const GrowthTrace trace = record_trace(trusted, seedling, {});
+  const std::vector<Vector3>& points = seedling.attraction_points;
+  const Replay truth = replay(trace, trusted, points, trace.setup.threads);
   MemoryAfterGrowths memory;
   memory.heap.reserve(watched_growths);
   memory.resident.reserve(watched_growths);
   for (std::size_t growth = 0; growth < watched_growths; ++growth) {
-    memory.working =
-        std::max(memory.working,
-                 replay(trace, engine, seedling.attraction_points, trace.setup.threads).bytes);
+    {
+      const Replay again = replay(trace, engine, points, trace.setup.threads);
+      memory.working = std::max(memory.working, again.bytes);
+      if (again.assignment_hashes != truth.assignment_hashes ||
+          again.removal_hashes != truth.removal_hashes)
+        throw PluginMisbehaved("the same growth again: other answers than before");
+    }
     if (const auto bytes = heap_bytes()) memory.heap.push_back(static_cast<double>(*bytes));
 #ifndef __SANITIZE_ADDRESS__  // it keeps what is freed
     if (const auto bytes = resident_bytes()) memory.resident.push_back(static_cast<double>(*bytes));
@@ -109,15 +129,19 @@ int run_trial(const std::filesystem::path& file, const std::vector<NamedSeedling
 }
 
 PluginVerdict verdict_of(const SupervisedRun& run, const SupervisionLimits& limits) {
-  if (run.end == SupervisedRun::End::silence)
-    return {.kind = Kind::hangs, .detail = described(run, limits)};
-  if (run.end != SupervisedRun::End::finished)
-    return {.kind = Kind::crashed, .detail = described(run, limits)};
+  if (run.end != SupervisedRun::End::finished) return verdict_on_unfinished(run, limits);
   const std::size_t line_end = run.output.find('\n');
   PHYTOBENCH_ENSURE(line_end != std::string::npos);
   return {.kind = static_cast<Kind>(run.code),
           .engine = run.output.substr(0, line_end),
           .detail = run.output.substr(line_end + 1)};
+}
+
+/// Many calls that each take nearly as long as one may are too many.
+SupervisionLimits with_total(SupervisionLimits limits) {
+  constexpr double least_s = 60.0, calls = 20.0;
+  limits.total_s = std::min(limits.total_s, std::max(least_s, calls * limits.silence_s));
+  return limits;
 }
 
 }  // namespace
@@ -138,6 +162,16 @@ std::string_view name_of(PluginVerdict::Kind kind) {
       return "refused";
   }
   return "unknown";
+}
+
+PluginVerdict verdict_on_unfinished(const SupervisedRun& run, const SupervisionLimits& limits) {
+  using End = SupervisedRun::End;
+  PHYTOBENCH_EXPECT(run.end != End::finished);
+  const bool hangs = run.end == End::silence || run.end == End::overtime;
+  return {.kind = hangs                  ? Kind::hangs
+                  : run.end == End::lost ? Kind::wrong
+                                         : Kind::crashed,
+          .detail = described(run, limits)};
 }
 
 double leaked_per_growth(const MemoryAfterGrowths& memory) {
@@ -164,13 +198,14 @@ PluginVerdict try_plugin(const std::filesystem::path& file,
                          const std::vector<NamedSeedling>& seedlings,
                          const SupervisionLimits& limits) {
   PHYTOBENCH_EXPECT(!seedlings.empty());
+  const SupervisionLimits bounded = with_total(limits);
   try {
     const SupervisedRun run = run_supervised(
         [&](PluginPulse& pulse, std::string& output) {
           return run_trial(file, seedlings, pulse, output);
         },
-        limits);
-    return verdict_of(run, limits);
+        bounded);
+    return verdict_of(run, bounded);
   } catch (const InputError& error) {
     return {.kind = Kind::refused, .detail = error.what()};
   }

@@ -57,6 +57,50 @@ TEST(PluginTrial, TakesNonsenseForAWrongAnswer) {
   EXPECT_THAT(quick_verdict("node_beyond").detail, HasSubstr("which does not exist"));
 }
 
+TEST(PluginTrial, TakesAChangedFloatingPointEnvironmentForAWrongAnswer) {
+  for (const char* name : {"rounds_upward", "flushes_denormals", "rounds_at_the_end"}) {
+    const PluginVerdict verdict = quick_verdict(name);
+    EXPECT_EQ(verdict.kind, Kind::wrong) << name;
+    EXPECT_THAT(verdict.detail, HasSubstr("changes the floating-point environment")) << name;
+  }
+  const PluginVerdict refused = quick_verdict("rounds_when_loaded");
+  EXPECT_EQ(refused.kind, Kind::refused);
+  EXPECT_THAT(refused.detail, HasSubstr("when it is loaded"));
+}
+
+TEST(PluginTrial, MakesCallsThatNoGrowthMakes) {
+  for (const char* name : {"global_state", "needs_points", "needs_nodes"})
+    EXPECT_EQ(quick_verdict(name).kind, Kind::wrong) << name;
+  EXPECT_THAT(quick_verdict("needs_points").detail, HasSubstr("no points: "));
+}
+
+TEST(PluginTrial, GrowsWithTwoThreads) {
+  const PluginVerdict verdict = quick_verdict("needs_one_thread");
+  EXPECT_EQ(verdict.kind, Kind::wrong);
+  EXPECT_THAT(verdict.detail, HasSubstr("lattice, loop option d, 2 threads: create() failed"));
+}
+
+TEST(PluginTrial, NoticesAnswersThatAreOtherOnesLater) {
+  const PluginVerdict early = quick_verdict("changes_its_mind");
+  EXPECT_EQ(early.kind, Kind::wrong) << early.detail;
+  const PluginVerdict late = quick_verdict("changes_its_mind_late");
+  EXPECT_EQ(late.kind, Kind::wrong) << late.detail;
+  EXPECT_THAT(late.detail, HasSubstr("the same growth again: other answers"));
+}
+
+TEST(PluginTrial, NoticesThatItsFilesWereClosed) {
+  const PluginVerdict verdict = quick_verdict("closes_files");
+  EXPECT_EQ(verdict.kind, Kind::wrong);
+  EXPECT_THAT(verdict.detail, HasSubstr("closed files of others"));
+}
+
+TEST(PluginTrial, EndsWhatTakesTooLongAltogether) {
+  const PluginVerdict verdict =
+      try_plugin(faulty("slow"), lattice_only(), {.silence_s = 60.0, .total_s = 0.5});
+  EXPECT_EQ(verdict.kind, Kind::hangs);
+  EXPECT_THAT(verdict.detail, HasSubstr("not done after 0.5 s"));
+}
+
 TEST(PluginTrial, SurvivesACrash) {
   const PluginVerdict verdict = quick_verdict("crashing");
   EXPECT_EQ(verdict.kind, Kind::crashed);

@@ -2,15 +2,10 @@
 #include "benchmarks/nearest_node/supervised.hpp"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
-#include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -19,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "benchmarks/nearest_node/supervised_child.hpp"
+#include "benchmarks/nearest_node/supervisor.hpp"
 #include "core/contract/check.hpp"
 #include "core/contract/errors.hpp"
 
@@ -64,104 +60,21 @@ class Descriptor {
   int number_;
 };
 
-/// Looks after one child until it has ended.
-class Supervisor {
+/// While it lives, ended children wait to be waited for, even if whoever started this program has
+/// it ignore their ends: the system would forget them at once.
+class ChildrenStay {
  public:
-  Supervisor(pid_t child, int pipe, const SharedWithChild& shared, const SupervisionLimits& limits)
-      : child_(child), pipe_(pipe), shared_(shared), limits_(limits) {}
-
-  /// Reaps a child that is still there: something was thrown.
-  ~Supervisor() {
-    if (!is_reaped_) end_child();
+  ChildrenStay() {
+    struct sigaction usual {};
+    usual.sa_handler = SIG_DFL;
+    ::sigaction(SIGCHLD, &usual, &before_);
   }
-  Supervisor(const Supervisor&) = delete;
-  Supervisor& operator=(const Supervisor&) = delete;
-
-  SupervisedRun wait() {
-    bool is_silent = false;
-    while (!has_ended()) {
-      read_output(look_every_ms);
-      if (limits_.is_interrupted && limits_.is_interrupted()) throw Interrupted();
-      is_silent = has_been_silent_too_long();
-      if (is_silent) end_child();
-    }
-    while (read_output(0)) {
-    }
-    return outcome(is_silent);
-  }
+  ~ChildrenStay() { ::sigaction(SIGCHLD, &before_, nullptr); }
+  ChildrenStay(const ChildrenStay&) = delete;
+  ChildrenStay& operator=(const ChildrenStay&) = delete;
 
  private:
-  using Clock = std::chrono::steady_clock;
-  static constexpr int look_every_ms = 100;
-
-  bool has_ended() {
-    if (!is_reaped_) is_reaped_ = ::waitpid(child_, &status_, WNOHANG) == child_;
-    return is_reaped_;
-  }
-
-  void end_child() {
-    ::kill(child_, SIGKILL);
-    while (::waitpid(child_, &status_, 0) < 0 && errno == EINTR) {
-    }
-    is_reaped_ = true;
-  }
-
-  /// Waits for output, or for the child's end, at most so long. True if there was some.
-  bool read_output(int milliseconds) {
-    pollfd wanted{is_open_ ? pipe_ : -1, POLLIN, 0};
-    // Once the pipe is closed, only the time counts.
-    if (::poll(&wanted, 1, is_open_ ? milliseconds : std::min(milliseconds, 5)) <= 0) return false;
-    std::array<char, 65536> buffer;
-    const ssize_t count = ::read(pipe_, buffer.data(), buffer.size());
-    if (count > 0) output_.append(buffer.data(), static_cast<std::size_t>(count));
-    if (count == 0) is_open_ = false;
-    return count > 0;
-  }
-
-  /// Only a plugin's call is limited: our own work may take its time.
-  bool has_been_silent_too_long() {
-    const std::uint64_t beats = shared_.pulse.beats;
-    if (beats != beats_ || !shared_.pulse.is_inside) {
-      beats_ = beats;
-      since_ = Clock::now();
-      return false;
-    }
-    return std::chrono::duration<double>(Clock::now() - since_).count() > limits_.silence_s;
-  }
-
-  SupervisedRun outcome(bool is_silent) const {
-    SupervisedRun run{.plugin = shared_.pulse.plugin,
-                      .call = shared_.pulse.call,
-                      .number = shared_.pulse.number,
-                      .was_inside = shared_.pulse.is_inside};
-    const WorkEnding ending = shared_.ending;
-    if (is_silent) {
-      run.end = SupervisedRun::End::silence;
-    } else if (WIFSIGNALED(status_)) {
-      run.end = SupervisedRun::End::signal;
-      run.code = WTERMSIG(status_);
-    } else if (ending == WorkEnding::none) {
-      run.end = SupervisedRun::End::exit;
-      run.code = WEXITSTATUS(status_);
-    } else if (ending != WorkEnding::returned) {
-      rethrow(ending, output_);
-    } else {
-      run.code = WEXITSTATUS(status_);
-      run.output = output_;
-    }
-    return run;
-  }
-
-  pid_t child_;
-  int pipe_;
-  const SharedWithChild& shared_;
-  const SupervisionLimits& limits_;
-  int status_ = 0;
-  bool is_reaped_ = false;
-  bool is_open_ = true;
-  std::string output_;
-  std::uint64_t beats_ = 0;
-  Clock::time_point since_ = Clock::now();
+  struct sigaction before_ {};
 };
 
 std::string signal_name(int signal) {
@@ -183,12 +96,18 @@ std::string described(const SupervisedRun& run, const SupervisionLimits& limits)
       return fmt::format("ended the program with exit code {} {}", run.code, place);
     case SupervisedRun::End::silence:
       return fmt::format("no answer for {:g} s {}", limits.silence_s, place);
+    case SupervisedRun::End::overtime:
+      return fmt::format("not done after {:g} s, {}", limits.total_s, place);
+    case SupervisedRun::End::lost:
+      return fmt::format("its result was lost, because it closed files of others (noticed {})",
+                         place);
   }
   return {};
 }
 
 SupervisedRun run_supervised(const SupervisedWork& work, const SupervisionLimits& limits) {
-  PHYTOBENCH_EXPECT(limits.silence_s > 0.0);
+  PHYTOBENCH_EXPECT(limits.silence_s > 0.0 && limits.total_s > 0.0);
+  const ChildrenStay until_reaped;
   SharedMemory shared;
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0)
@@ -201,6 +120,7 @@ SupervisedRun run_supervised(const SupervisedWork& work, const SupervisionLimits
   if (child < 0)
     throw EnvironmentError("cannot start a child process; close other programs and try again");
   if (child == 0) be_child(work, *shared, write_end.number(), parent);
+  ::setpgid(child, child);  // as the child does itself: whoever comes first
   write_end.close();
   return Supervisor(child, read_end.number(), *shared, limits).wait();
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 
 #include "core/nearest_node/plugin/plugin_pulse.hpp"
@@ -10,8 +11,9 @@
 namespace phytobench {
 
 struct SupervisionLimits {
-  double silence_s = 30.0;                    ///< a single call of a plugin may take so long; > 0
-  std::function<bool()> is_interrupted = {};  ///< may be empty
+  double silence_s = 30.0;  ///< a single call of a plugin may take so long; > 0
+  double total_s = std::numeric_limits<double>::infinity();  ///< and the whole work so long; > 0
+  std::function<bool()> is_interrupted = {};                 ///< may be empty
 };
 
 /// How a child ended.
@@ -21,6 +23,8 @@ struct SupervisedRun {
     signal,    ///< it was killed
     exit,      ///< it ended itself in the middle of the work
     silence,   ///< a plugin did not return; it was killed then
+    overtime,  ///< the work took too long altogether; it was killed then
+    lost,      ///< the work returned, but its output did not arrive: the pipe was closed
   };
 
   End end = End::finished;
@@ -40,10 +44,12 @@ std::string described(const SupervisedRun& run, const SupervisionLimits& limits)
 using SupervisedWork = std::function<int(PluginPulse& pulse, std::string& output)>;
 
 /// Does the work in a forked child and waits for it. What the work throws is thrown here, as the
-/// same type where it is one of errors.hpp or PluginMisbehaved. The child writes to standard error
-/// where it would write to standard output, leaves the program without its exit handlers, may take
-/// no more memory than the machine has, and dies with its parent. Throws Interrupted when asked to
-/// stop, and EnvironmentError where the system refuses a process.
+/// same type where it is one of errors.hpp or PluginMisbehaved. The child reads nothing from
+/// standard input, writes to standard error where it would write to standard output, leaves the
+/// program without its exit handlers, may take no more memory than the machine has, and dies with
+/// its parent. It has a process group of its own: Ctrl-C reaches this process alone, and whatever
+/// the child has started ends with it. Throws Interrupted when asked to stop, and EnvironmentError
+/// where the system refuses a process or does not tell how it ended.
 ///
 /// Call it before this process has started any thread: a child has only the thread that forked it,
 /// and would wait for the others for ever (oneTBB's, as soon as work is shared out).

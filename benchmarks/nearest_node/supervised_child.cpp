@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/nearest_node/supervised_child.hpp"
 
+#include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -43,11 +44,26 @@ void restore_deadly_signals() {
     std::signal(deadly, SIG_DFL);
 }
 
+/// Nothing to read, and standard error in place of standard output, which belongs to results.
+void redirect_standard_files() {
+  const int nothing = ::open("/dev/null", O_RDWR);
+  ::dup2(nothing, STDIN_FILENO);
+  if (::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) ::dup2(nothing, STDOUT_FILENO);
+  if (nothing > STDERR_FILENO) ::close(nothing);
+}
+
+/// A group of its own, so that nothing it starts outlives it. A terminal that stops groups in the
+/// background when they write lets those write that ignore it.
+void lead_a_group() {
+  ::setpgid(0, 0);
+  std::signal(SIGTTOU, SIG_IGN);
+}
+
 void write_all(int descriptor, const std::string& text) {
   for (std::size_t done = 0; done < text.size();) {
     const ssize_t wrote = ::write(descriptor, text.data() + done, text.size() - done);
     if (wrote < 0 && errno == EINTR) continue;
-    if (wrote <= 0) return;  // the parent is gone
+    if (wrote <= 0) return;  // the parent is gone, or a plugin closed the pipe
     done += static_cast<std::size_t>(wrote);
   }
 }
@@ -85,9 +101,12 @@ WorkEnding ending_of(const SupervisedWork& work, PluginPulse& pulse, std::string
 }  // namespace
 
 void be_child(const SupervisedWork& work, SharedWithChild& shared, int pipe, pid_t parent) {
+  lead_a_group();
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(0);  // it died before that took effect
-  ::dup2(STDERR_FILENO, STDOUT_FILENO);
+  // Whoever started this program may have given it no standard files.
+  pipe = ::fcntl(pipe, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  redirect_standard_files();
   restore_deadly_signals();
   limit_memory();
   leave_no_core_file();
@@ -95,6 +114,7 @@ void be_child(const SupervisedWork& work, SharedWithChild& shared, int pipe, pid
   int code = 0;
   const WorkEnding ending = ending_of(work, shared.pulse, output, code);
   std::fflush(nullptr);  // what a plugin printed
+  shared.output_bytes = output.size();
   write_all(pipe, output);
   shared.ending = ending;
   ::_exit(code);

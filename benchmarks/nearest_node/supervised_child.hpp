@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <string>
 
 #include <sys/types.h>
@@ -27,6 +28,7 @@ enum class WorkEnding : int {
 struct SharedWithChild {
   PluginPulse pulse;
   std::atomic<WorkEnding> ending{WorkEnding::none};
+  std::atomic<std::uint64_t> output_bytes{0};  ///< of what the pipe should bring
 };
 
 /// Does the work in a process that has just been forked by `parent`, writes its output (or what it

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/nearest_node/supervised.hpp"
 
+#include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <cstdio>
 
@@ -118,6 +121,83 @@ TEST(SupervisedWork, MayTakeItsTimeOutsideOfCallsAndInManyOfThem) {
       },
       {.silence_s = 1.2});
   EXPECT_EQ(run.end, End::finished);
+}
+
+TEST(SupervisedWork, IsStoppedWhenItTakesTooLongAltogether) {
+  const SupervisionLimits limits{.silence_s = 60.0, .total_s = 0.3};
+  const SupervisedRun run = run_supervised(
+      [](PluginPulse& pulse, std::string&) {
+        for (;;) {
+          const WatchedCall call({.pulse = &pulse, .plugin = 0}, PluginCall::associate, 8);
+          sleep_for_ms(20);
+        }
+        return 0;
+      },
+      limits);
+  EXPECT_EQ(run.end, End::overtime);
+  EXPECT_THAT(described(run, limits), HasSubstr("not done after 0.3 s, "));
+}
+
+TEST(SupervisedWork, IsLostWithoutItsPipe) {
+  for (const bool throws : {false, true}) {
+    const SupervisedRun run = run_supervised(
+        [&](PluginPulse&, std::string& output) {
+          for (int descriptor = 3; descriptor < 256; ++descriptor) ::close(descriptor);
+          if (throws) throw InputError("nobody hears that");
+          output = "nobody reads that";
+          return 0;
+        },
+        {});
+    EXPECT_EQ(run.end, End::lost);
+    EXPECT_THAT(described(run, {}), HasSubstr("closed files of others"));
+  }
+}
+
+TEST(SupervisedWork, IsWaitedForEvenIfEndsOfChildrenAreIgnored) {
+  const auto before = std::signal(SIGCHLD, SIG_IGN);
+  const SupervisedRun run =
+      run_supervised([](PluginPulse&, std::string&) { return 7; }, {.total_s = 60.0});
+  EXPECT_EQ(std::signal(SIGCHLD, before), SIG_IGN) << "not as it was";
+  EXPECT_EQ(run.end, End::finished);
+  EXPECT_EQ(run.code, 7);
+}
+
+TEST(SupervisedWork, ReadsNothingFromStandardInput) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
+  ASSERT_EQ(::write(ends[1], "x", 1), 1);
+  const int before = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3);
+  ::dup2(ends[0], STDIN_FILENO);
+  const SupervisedRun run = run_supervised(
+      [](PluginPulse&, std::string&) {
+        char letter = 0;
+        return static_cast<int>(::read(STDIN_FILENO, &letter, 1));
+      },
+      {});
+  ::dup2(before, STDIN_FILENO);
+  for (const int descriptor : {before, ends[0], ends[1]}) ::close(descriptor);
+  EXPECT_EQ(run.end, End::finished);
+  EXPECT_EQ(run.code, 0);
+}
+
+// The process that it leaves behind holds the pipe's other end.
+TEST(SupervisedWork, LeavesNoProcessBehind) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
+  const SupervisedRun run = run_supervised(
+      [](PluginPulse&, std::string&) {
+        if (::getpgrp() != ::getpid()) return 1;
+        if (::fork() == 0)
+          for (;;) sleep_for_ms(1000);
+        return 0;
+      },
+      {});
+  EXPECT_EQ(run.code, 0) << "it has no group of its own";
+  ::close(ends[1]);
+  pollfd wanted{ends[0], POLLIN, 0};
+  EXPECT_EQ(::poll(&wanted, 1, 10'000), 1) << "the process lives on";
+  EXPECT_NE(wanted.revents & POLLHUP, 0);
+  ::close(ends[0]);
 }
 
 TEST(SupervisedWork, EndsWhenTheUserSaysSo) {

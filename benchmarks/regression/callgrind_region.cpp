@@ -2,6 +2,7 @@
 #include "benchmarks/regression/callgrind_region.hpp"
 
 #include "core/contract/errors.hpp"
+#include "core/memory/keep_freed_memory.hpp"
 
 #if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>
@@ -21,6 +22,7 @@ VerifiedBenchmark run_in_callgrind_region(const WatchedBenchmark&) {
 #else
 
 VerifiedBenchmark run_in_callgrind_region(const WatchedBenchmark& benchmark) {
+  keep_freed_memory();
   const std::unique_ptr<WatchedKernel> kernel = benchmark.prepare();
   kernel->run();
   CALLGRIND_START_INSTRUMENTATION;

@@ -68,6 +68,25 @@ class ChainKernel final : public WatchedKernel {
   std::uint64_t runs_ = 0, done_ = 0, state_ = first_state;
 };
 
+/// Works until its answer was looked at, which a process that only calibrates never does.
+class StoppingKernel final : public WatchedKernel {
+ public:
+  std::string inputs() const override { return chain_.inputs(); }
+  void run() override {
+    if (!was_looked_at_) chain_.run();
+  }
+  std::string answer() const override {
+    was_looked_at_ = true;
+    return chain_.answer();
+  }
+  WorkCounts work() const override { return chain_.work(); }
+  std::string objection() override { return chain_.objection(); }
+
+ private:
+  ChainKernel chain_{for_ever};
+  mutable bool was_looked_at_ = false;
+};
+
 class EmptyKernel final : public WatchedKernel {
  public:
   std::string inputs() const override { return sha256_hex("nothing"); }
@@ -115,6 +134,10 @@ std::vector<WatchedBenchmark> selftest_benchmarks() {
        .summary = "Wrong on purpose: after a few runs it does half of its work.",
        .is_own = true,
        .prepare = [] { return std::make_unique<ChainKernel>(honest_runs); }},
+      {.name = "selftest/stops-working",
+       .summary = "Wrong on purpose: once its answer was looked at, a run does nothing.",
+       .is_own = true,
+       .prepare = [] { return std::make_unique<StoppingKernel>(); }},
   };
 }
 

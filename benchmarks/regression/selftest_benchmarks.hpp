@@ -13,6 +13,9 @@ namespace phytobench {
 /// - "selftest/measures-nothing": a run does nothing; no time of it means anything.
 /// - "selftest/forgets-work": right at first, then half of the work and another answer; to be
 ///   refused while it is sampled.
+/// - "selftest/stops-working": right and busy until its answer was looked at, then a run does
+/// nothing
+///   and leaves the right answer where it is; to be refused while it is sampled.
 std::vector<WatchedBenchmark> selftest_benchmarks();
 
 }  // namespace phytobench

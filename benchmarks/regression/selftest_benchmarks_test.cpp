@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "benchmarks/regression/sampling.hpp"
+
 namespace phytobench {
 namespace {
 
@@ -15,8 +17,8 @@ std::unique_ptr<WatchedKernel> prepared(const std::string& name) {
   return nullptr;
 }
 
-TEST(SelftestBenchmarks, AreFour) {
-  EXPECT_EQ(selftest_benchmarks().size(), 4u);
+TEST(SelftestBenchmarks, AreFive) {
+  EXPECT_EQ(selftest_benchmarks().size(), 5u);
 }
 
 TEST(SelftestBenchmarks, TheSteadyOneIsRightHoweverOftenItRuns) {
@@ -57,6 +59,26 @@ TEST(SelftestBenchmarks, TheForgetfulOneIsRightUntilItWasVerified) {
   EXPECT_THAT(forgetful->objection(), HasSubstr("steps instead of"));
   EXPECT_NE(forgetful->answer(), steady->answer());
   EXPECT_GT(forgetful->work().at("steps"), 0u) << "it must still take time";
+}
+
+TEST(SelftestBenchmarks, TheOneThatStopsIsRightAndIsRefusedAllTheSame) {
+  for (const WatchedBenchmark& benchmark : selftest_benchmarks()) {
+    if (benchmark.name != "selftest/stops-working") continue;
+    const VerifiedBenchmark verified = verify_benchmark(benchmark);
+    EXPECT_EQ(verified.objection, "");
+    const auto steady = prepared("steady");
+    steady->run();
+    EXPECT_EQ(verified.answer, steady->answer());
+    const CalibratedBenchmark calibrated = calibrate_benchmark(benchmark, 5e-3);
+    ASSERT_GT(calibrated.iterations, 0u) << "nobody has looked at its answer";
+    const auto sampled = sample_benchmarks(
+        {benchmark},
+        {.samples = 3, .benchmarks = {{benchmark.name, calibrated.iterations, verified.answer}}});
+    EXPECT_THAT(sampled[0].objection, HasSubstr("takes no time"));
+    EXPECT_TRUE(sampled[0].samples.empty());
+    return;
+  }
+  FAIL() << "there is no such benchmark";
 }
 
 }  // namespace

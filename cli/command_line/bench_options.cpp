@@ -29,6 +29,9 @@ void add_bench_counters(CLI::App& bench, Commands& commands) {
                   "A phytobench_worker of the preset 'counters' (default: the one beside this "
                   "program or in build/counters)");
   sub->add_flag("--accept", options.accept, "Write the file and say what changed");
+  sub->add_option("--out", options.out,
+                  "Write what was counted and of which build, for history; nothing if an answer is "
+                  "wrong");
   sub->add_option("--junit", options.junit, "Write the result for test runners");
   sub->add_flag("--json", options.json, "One JSON document");
   sub->callback([&] { commands.chosen = [&] { return bench_counters(commands.bench_counters); }; });
@@ -49,14 +52,15 @@ void add_bench_instructions(CLI::App& bench, Commands& commands) {
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
   sub->add_flag("--cache", options.simulate_cache,
-                "Report misses of a simulated cache too; takes twice as long");
+                "Count misses of a simulated cache, too; takes twice as long");
   sub->add_flag("--allow-no-base", options.allow_no_base,
                 "Pass where base is older than comparisons, or there is none");
   sub->add_option("--accepted", options.accepted,
-                  "TOML file of increases that are wanted (default: "
+                  "TOML file of increases that are wanted, which must be there (default: "
                   "benchmarks/baselines/accepted_instructions.toml)");
   sub->add_option("--history", options.history,
-                  "SQLite file: a benchmark whose counts have always moved may move");
+                  "SQLite file, which must be there: a benchmark whose counts have always moved "
+                  "may move");
   sub->add_option("--junit", options.junit, "Write the result for test runners");
   sub->add_option("--markdown", options.markdown, "Write the result for a merge request");
   sub->add_flag("--json", options.json, "One JSON document");

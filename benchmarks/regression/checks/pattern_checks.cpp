@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "benchmarks/point_pattern/hopkins_race.hpp"
+#include "benchmarks/regression/checks/empty_space.hpp"
 #include "core/contract/check.hpp"
 #include "core/random/counter_stream.hpp"
 
@@ -28,37 +29,22 @@ double nearest(const Point2& place, std::span<const Point2> points, std::size_t 
   return std::sqrt(least);
 }
 
-/// Sums over distances.
-struct Distances {
-  double count = 0.0, sum = 0.0, squares = 0.0;
-
-  void add(double distance) {
-    count += 1.0;
-    sum += distance;
-    squares += distance * distance;
-  }
-  double mean() const { return sum / count; }
-  double mean_square() const { return squares / count; }
-  /// Of the mean, relative to it.
-  double standard_error() const {
-    return std::sqrt(std::max(0.0, mean_square() - mean() * mean()) / count) / mean();
-  }
-};
-
 }  // namespace
 
 std::string objection_to_hopkins(const HopkinsIndex& found, std::span<const Point2> points,
-                                 const Window& window, std::uint64_t seed) {
-  PHYTOBENCH_EXPECT(points.size() >= 2 && window.kind() != WindowKind::torus);
-  constexpr int places = 40'000;
-  constexpr double standard_errors = 5.0;
-  CounterStream stream(seed, 1);
-  Distances from_places, from_points;
-  for (int k = 0; k < places; ++k) from_places.add(nearest(window.random_point(stream), points));
-  for (std::size_t i = 0; i < points.size(); ++i) from_points.add(nearest(points[i], points, i));
-  const HopkinsIndex sampled{from_places.mean() / from_points.mean(),
-                             from_places.mean_square() / from_points.mean_square()};
-  return objection_to(found, sampled, standard_errors * from_places.standard_error());
+                                 const Rectangle& window) {
+  PHYTOBENCH_EXPECT(points.size() >= 2);
+  double sum = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double distance = nearest(points[i], points, i);
+    sum += distance;
+    squares += distance * distance;
+  }
+  const auto n = static_cast<double>(points.size());
+  const EmptySpaceMoments empty = empty_space_by_all_bisectors(points, window);
+  constexpr double rounding = 1e-11;  // of sums over thousands of cells
+  return objection_to(
+      found, {empty.mean_distance * n / sum, empty.mean_squared_distance * n / squares}, rounding);
 }
 
 std::string objection_to_ripley_k(std::span<const double> found, std::span<const Point2> points,

@@ -11,10 +11,10 @@
 
 namespace phytobench {
 
-/// Against the mean over 40,000 places chosen with `seed`, within five of its standard errors.
-/// At least two points, in a window with edges.
+/// The exact index of at least two points in a rectangle with edges: cells cut by all bisectors,
+/// distances by a double loop, to 1e-11 of the ratio of means and three times that of the other.
 std::string objection_to_hopkins(const HopkinsIndex& found, std::span<const Point2> points,
-                                 const Window& window, std::uint64_t seed);
+                                 const Rectangle& window);
 
 /// Ripley's K in a rectangle with the translation correction, to 1e-11 of each value.
 std::string objection_to_ripley_k(std::span<const double> found, std::span<const Point2> points,

@@ -27,18 +27,30 @@ Points some_points() {
   return uniform_points(window, 300, stream);
 }
 
-TEST(HopkinsCheck, SeesAnIndexThatIsOffByThreeInAHundred) {
+TEST(HopkinsCheck, SeesTheTenthDigit) {
   const Points points = some_points();
   const HopkinsIndex right = hopkins_exact(points, window);
-  EXPECT_EQ(objection_to_hopkins(right, points, window, 1), "");
-  HopkinsIndex wrong = right;
-  wrong.mean_ratio *= 1.03;
-  EXPECT_NE(objection_to_hopkins(wrong, points, window, 1), "");
-  wrong = right;
-  wrong.squared_ratio *= 1.1;
-  EXPECT_NE(objection_to_hopkins(wrong, points, window, 1), "");
-  wrong.squared_ratio = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(objection_to_hopkins(wrong, points, window, 1), "");
+  EXPECT_EQ(objection_to_hopkins(right, points, plot), "");
+  for (const double factor : {1.0 + 1e-10, 1.0 - 1e-10}) {
+    EXPECT_NE(objection_to_hopkins({factor * right.mean_ratio, right.squared_ratio}, points, plot),
+              "");
+    EXPECT_NE(objection_to_hopkins({right.mean_ratio, factor * right.squared_ratio}, points, plot),
+              "");
+  }
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(objection_to_hopkins({nan, right.squared_ratio}, points, plot), "");
+  EXPECT_NE(objection_to_hopkins({right.mean_ratio, nan}, points, plot), "");
+  EXPECT_NE(objection_to_hopkins({}, points, plot), "");
+}
+
+TEST(HopkinsCheck, SeesWhatIsSampledAndWhatIsOfOtherPoints) {
+  Points points = some_points();
+  CounterStream stream(3, 0);
+  EXPECT_NE(objection_to_hopkins(hopkins_sampled(points, window, 100'000, stream), points, plot),
+            "");
+  const HopkinsIndex right = hopkins_exact(points, window);
+  points[7].x += 1e-6;
+  EXPECT_NE(objection_to_hopkins(right, points, plot), "");
 }
 
 TEST(RipleyCheck, SeesOneWrongValue) {

@@ -8,9 +8,10 @@
 namespace phytobench {
 
 /// What is wrong with the plant that was made of a skeleton whose branches do not hang, in one
-/// line; empty if nothing. Radii must follow the power-sum rule ([Brzoska2019] eq. 11), vertices
-/// and triangles the closed formulae, rings must lie around their nodes, leaves come as often as
-/// their probability says (within five standard deviations), and all numbers be finite.
+/// line; empty if nothing. The skeleton must be the one that was grown, radii must follow the
+/// power-sum rule ([Brzoska2019] eq. 12), triangles add up to the leaves as the appendix counts
+/// them, all numbers be finite; branches and leaves are what branch_mesh_check.hpp and
+/// leaf_check.hpp say.
 std::string objection_to_plant(const Plant& plant, const Skeleton& grown,
                                const PlantParameters& parameters);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "benchmarks/competition/step_race.hpp"
+#include "benchmarks/regression/checks/literal_losses.hpp"
 #include "benchmarks/regression/families/kernel_digest.hpp"
 #include "benchmarks/regression/watched_benchmarks.hpp"
 #include "core/competition/competition_registry.hpp"
@@ -81,7 +82,8 @@ class LossKernel final : public WatchedKernel {
   std::string objection() override {
     Population again(parameters_, population_.state(), overlap_engine_named("all_pairs"));
     const std::string wrong = objection_to_losses(loss_, again.losses());
-    return wrong.empty() ? wrong : wrong + " than with all pairs tried";
+    if (!wrong.empty()) return wrong + " than with all pairs tried";
+    return objection_to_rule_losses(loss_, parameters_, population_.stand());
   }
 
  private:

@@ -51,7 +51,7 @@ class HopkinsKernel final : public PatternKernel {
     return KernelDigest().add({index_.mean_ratio, index_.squared_ratio}).hex();
   }
   WorkCounts work() const override { return {{"cells", points_.size()}}; }
-  std::string objection() override { return objection_to_hopkins(index_, points_, window_, seed); }
+  std::string objection() override { return objection_to_hopkins(index_, points_, plot); }
 
  private:
   HopkinsIndex index_;

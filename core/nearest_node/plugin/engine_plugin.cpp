@@ -4,12 +4,15 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/contract/errors.hpp"
 #include "core/nearest_node/engine_registry.hpp"
+#include "core/nearest_node/plugin/floating_point_control.hpp"
 #include "core/nearest_node/plugin/phytobench_engine.h"
 #include "core/nearest_node/plugin/plugin_engine.hpp"
 
@@ -23,6 +26,14 @@ constexpr const char* entry_name = "phytobench_engine";
   throw InputError("plugin '" + file + "': " + why);
 }
 
+/// What is linked with -ffast-math changes it for whoever loads it.
+void refuse_change(const FloatingPointControl& before, const std::string& file) {
+  if (before.is_in_force()) return;
+  before.restore();
+  refuse(file,
+         "changes the floating-point environment when it is loaded; link it without -ffast-math");
+}
+
 void* load(const std::string& file, const PluginWatch& watch) {
   std::error_code error;
   const auto type = std::filesystem::status(file, error).type();
@@ -33,12 +44,14 @@ void* load(const std::string& file, const PluginWatch& watch) {
   // A name without a slash would be looked for where the system keeps its libraries.
   const std::string path = std::filesystem::absolute(file, error).string();
   const WatchedCall call(watch, PluginCall::load, 0);
+  const FloatingPointControl before;
   // Never unloaded: threads of its pools (OpenMP's) may still run code of it, and its destructors
   // would run where nobody watches for one that hangs.
   void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   if (library == nullptr)
     refuse(file, fmt::format("cannot be loaded ({}); build it with -shared -fPIC for this machine",
                              plain_line(::dlerror())));
+  refuse_change(before, file);
   return library;
 }
 
@@ -49,7 +62,9 @@ const phytobench_engine_v1* table_of(void* library, const std::string& file,
   const auto entry = reinterpret_cast<Entry>(::dlsym(library, entry_name));
   if (entry == nullptr)
     refuse(file, fmt::format("exports no function {}(); see phytobench_engine.h", entry_name));
+  const FloatingPointControl before;
   const phytobench_engine_v1* table = entry();
+  refuse_change(before, file);
   if (table == nullptr) refuse(file, fmt::format("{}() gives no table", entry_name));
   return table;
 }
@@ -60,16 +75,25 @@ bool is_well_formed(const std::string& name) {
          name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
 }
 
-/// Reads nothing beyond what the plugin says its table holds.
-void check(const phytobench_engine_v1& table, const std::string& file) {
+/// What of the table this program knows, null where it is shorter. Reads nothing beyond what the
+/// plugin says its table holds.
+phytobench_engine_v1 known_part(const phytobench_engine_v1& table, const std::string& file) {
   if (table.abi != PHYTOBENCH_ENGINE_ABI)
     refuse(file, fmt::format("was built for version {} of the interface, but this program has {}; "
                              "build it with this program's phytobench_engine.h",
                              table.abi, PHYTOBENCH_ENGINE_ABI));
-  if (table.size < sizeof(phytobench_engine_v1))
-    refuse(file, fmt::format("its table has {} bytes instead of {}; set size to "
+  constexpr std::size_t least = offsetof(phytobench_engine_v1, last_error);  // after destroy()
+  if (table.size < least)
+    refuse(file, fmt::format("its table has {} bytes, but destroy() ends at {}; set size to "
                              "sizeof(phytobench_engine_v1)",
-                             table.size, sizeof(phytobench_engine_v1)));
+                             table.size, least));
+  phytobench_engine_v1 known{};
+  const std::size_t whole_members = table.size / sizeof(void*) * sizeof(void*);
+  std::memcpy(&known, &table, std::min(whole_members, sizeof(known)));
+  return known;
+}
+
+void check(const phytobench_engine_v1& table, const std::string& file) {
   const std::string name = table.name == nullptr ? "" : plain_line(table.name);
   if (!is_well_formed(name))
     refuse(file, fmt::format("its engine's name '{}' is not made of a-z, 0-9 and _", name));
@@ -86,11 +110,11 @@ void check(const phytobench_engine_v1& table, const std::string& file) {
            fmt::format("its engine is called '{}', as one of this program's; rename it", name));
 }
 
-const phytobench_engine_v1* checked_table_of(void* library, const std::string& file,
-                                             const PluginWatch& watch) {
-  const phytobench_engine_v1* table = table_of(library, file, watch);
-  check(*table, file);
-  return table;
+std::shared_ptr<const phytobench_engine_v1> checked_table_of(void* library, const std::string& file,
+                                                             const PluginWatch& watch) {
+  const phytobench_engine_v1 known = known_part(*table_of(library, file, watch), file);
+  check(known, file);
+  return std::make_shared<const phytobench_engine_v1>(known);
 }
 
 std::unique_ptr<NearestNodeEngine> make_engine(const void* plugin) {

@@ -15,8 +15,8 @@ struct phytobench_engine_v1;
 
 namespace phytobench {
 
-/// A plugin gave an answer that cannot be, or reported a failure. The message says where and what,
-/// in one line.
+/// A plugin gave an answer that cannot be or is not right, reported a failure, or changed the
+/// floating-point environment. The message says where and what, in one line.
 class PluginMisbehaved : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -29,7 +29,9 @@ std::string plain_line(const char* text);
 class EnginePlugin {
  public:
   /// Throws InputError that names the file and says what to do if it is no library, was built for
-  /// another version of the interface, lacks a function, or has no name of its own.
+  /// another version of the interface, lacks a function, has no name of its own, or changes the
+  /// floating-point environment by being loaded. A table that ends after destroy() is as good as
+  /// one that holds more than this version knows.
   explicit EnginePlugin(const std::filesystem::path& file, const PluginWatch& watch = {});
 
   EnginePlugin(const EnginePlugin&) = delete;
@@ -50,7 +52,7 @@ class EnginePlugin {
   std::string file_;
   PluginWatch watch_;
   std::unique_ptr<void, Close> library_;
-  const phytobench_engine_v1* table_;
+  std::shared_ptr<const phytobench_engine_v1> table_;  // a copy: the plugin's own may be shorter
   std::string name_;
   std::string summary_;
   std::string source_;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -15,6 +16,7 @@
 
 #include "core/contract/errors.hpp"
 #include "core/nearest_node/engine_registry.hpp"
+#include "core/nearest_node/plugin/floating_point_control.hpp"
 #include "core/nearest_node/plugin/phytobench_engine.h"
 #include "core/random/counter_stream.hpp"
 
@@ -111,12 +113,27 @@ TEST(EnginePluginLoad, RefusesWhatIsNoEngineAndSaysWhy) {
       {"bad_name", "'Nearest Scan' is not made of a-z"},
       {"taken_name", "'voxel_grid', as one of this program's"},
       {"no_summary", "has no summary"},
-      {"no_associate", "lacks associate()"}};
+      {"no_associate", "lacks associate()"},
+      {"rounds_when_loaded", "changes the floating-point environment when it is loaded"}};
   for (const auto& [name, part] : cases) {
     const std::string refusal = refusal_of(faulty(name));
     EXPECT_THAT(refusal, HasSubstr(part));
     EXPECT_THAT(refusal, HasSubstr(std::string(name) + ".so'")) << "the file is not named";
   }
+}
+
+TEST(EnginePluginLoad, LeavesTheFloatingPointEnvironmentAsItWas) {
+  const FloatingPointControl before;
+  refusal_of(faulty("rounds_when_loaded"));
+  EXPECT_TRUE(before.is_in_force());
+}
+
+// Newer and older plugins of one version of the interface differ in nothing but the table's end.
+TEST(EnginePluginLoad, TakesLongerTablesAndThoseThatEndAfterDestroy) {
+  const EnginePlugin longer(faulty("longer_table")), shorter(faulty("shorter_table"));
+  EXPECT_TRUE(longer.table().last_error != nullptr);
+  EXPECT_TRUE(shorter.table().destroy != nullptr);
+  EXPECT_TRUE(shorter.table().last_error == nullptr) << "read beyond the table's end";
 }
 
 TEST(EnginePluginLoad, RefusesFilesThatAreNoLibrary) {
@@ -187,10 +204,34 @@ TEST(PluginEngine, ReportsWhatCannotBe) {
       {"removed_beyond", "removal 0: point 3, which does not exist"},
       {"too_many", "removal 0: 4 points, but only 3 are left"},
       {"reports_failure", "associate() in iteration 0 failed: out of memory"},
-      {"creates_nothing", "create() failed: out of memory"}};
+      {"creates_nothing", "create() failed: out of memory"},
+      {"rounds_upward", "associate() in iteration 0 changes the floating-point environment"},
+      {"flushes_denormals", "create() changes the floating-point environment"}};
   for (const auto& [name, message] : cases)
     EXPECT_THAT(misbehaviour_of(name), HasSubstr(message)) << name;
   EXPECT_EQ(misbehaviour_of("removing"), "nothing was noticed");
+}
+
+TEST(PluginEngine, LetsNobodyElseRoundOtherwise) {
+  const FloatingPointControl before;
+  for (const char* name : {"rounds_upward", "flushes_denormals", "rounds_at_the_end"}) {
+    misbehaviour_of(name);
+    EXPECT_TRUE(before.is_in_force()) << name;
+  }
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+}
+
+TEST(PluginEngine, ReportsAtTheNextStartWhatDestroyChanged) {
+  const EnginePlugin plugin(faulty("rounds_at_the_end"));
+  const auto engine = plugin.descriptor().create();
+  const EngineSetup setup{.influence_distance = 2.0, .perception_half_angle_rad = 1.0};
+  engine->reset({}, setup);
+  try {
+    engine->reset({}, setup);
+    ADD_FAILURE() << "nothing was noticed";
+  } catch (const PluginMisbehaved& misbehaved) {
+    EXPECT_STREQ(misbehaved.what(), "destroy() changes the floating-point environment");
+  }
 }
 
 TEST(PluginWatch, SeesEveryCallAndReturn) {

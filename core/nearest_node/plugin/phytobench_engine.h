@@ -16,7 +16,7 @@
  * Exactly means to the last bit, because a tie that is decided by rounding grows another tree:
  *   - every distance and every perception test is rounded as phytobench_squared_distance() and
  *     phytobench_perceives() round it, that is in that order of operations, in double precision,
- *     without fused multiply-add: compile with -ffp-contract=off and never with -ffast-math;
+ *     without fused multiply-add (see "How to compile");
  *   - compare squared distances, not roots: two different squares can have the same root;
  *   - an index may reject nodes by other sums only if it leaves room for their rounding.
  * All coordinates are finite and so small that no squared distance overflows. The influence
@@ -35,13 +35,29 @@
  * setup->threads threads, itself included, within a call; none of them may still work when the call
  * returns, though idle ones of a pool may wait. Answers are the same for any number.
  *
- * Memory: arrays belong to whoever passed them. `points` stays alive and unchanged until destroy()
- * returns; every other array and struct only until the call returns. An array of no elements may be
- * null. What the library allocates it frees, at the latest in destroy(): that is measured.
+ * Memory: arrays belong to whoever passed them. `points` stays alive and unchanged from create() on
+ * until destroy() is called, and need not be copied; destroy() itself must not read it, because it
+ * may be gone by then. Whoever starts an engine afresh (reset() in phytobench's own sources) gets
+ * destroy() first and then create() with the new points. Every other array and struct lives only
+ * until the call returns. An array of no elements may be null. What the library allocates it frees,
+ * at the latest in destroy(): that is measured.
  *
  * No function may end the program, let a C++ exception out, write to standard output, or leave the
  * floating-point environment, the locale, signal handlers, open files or the working folder other
- * than it found them. */
+ * than it found them. The floating-point environment is looked at after every call, and after the
+ * library was loaded: rounding, masks, flush-to-zero, denormals-are-zero.
+ *
+ * How to compile. Machines with fused multiply-add (any with -march=native today, and 64-bit ARM
+ * always) round otherwise where a compiler contracts a * b + c to it:
+ *   - gcc contracts unless it is told -ffp-contract=off (or, in C, a standard such as -std=c99); it
+ *     knows no #pragma STDC FP_CONTRACT;
+ *   - clang contracts within an expression unless it is told -ffp-contract=off; it also obeys
+ *     #pragma STDC FP_CONTRACT OFF, which must then stand before this header is included, because
+ *     the functions below are compiled with the plugin.
+ * Neither may get -ffast-math or -Ofast, not even where it only links: that links code which
+ * changes the floating-point environment of whoever loads the library. With CMake,
+ * find_package(phytobench COMPONENTS plugin) has the target phytobench::plugin, which brings this
+ * header and the flag. */
 #ifndef PHYTOBENCH_ENGINE_H
 #define PHYTOBENCH_ENGINE_H
 
@@ -96,10 +112,13 @@ typedef struct phytobench_setup {
   int32_t reserved;                 /* 0 */
 } phytobench_setup;
 
-/* The table of functions. Those marked "optional" may be null. */
+/* The table of functions. Those marked "optional" may be null. `size` says how much of it there
+ * is: a newer phytobench takes what is missing at the end of an older plugin's table for null, and
+ * an older one does not look at what a newer plugin's holds beyond what it knows. It must reach to
+ * destroy() at least. */
 typedef struct phytobench_engine_v1 {
   uint32_t abi;        /* PHYTOBENCH_ENGINE_ABI */
-  uint32_t size;       /* sizeof(phytobench_engine_v1) */
+  uint32_t size;       /* sizeof(phytobench_engine_v1), in bytes */
   const char* name;    /* [a-z0-9_]{1,64}, unlike that of any engine of phytobench */
   const char* summary; /* one sentence: how it finds the nearest node */
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/contract/check.hpp"
+#include "core/nearest_node/plugin/floating_point_control.hpp"
 #include "core/parallel/for_blocks.hpp"
 
 namespace phytobench {
@@ -38,22 +39,33 @@ std::int32_t count_of(const Array& array) {
   return static_cast<std::int32_t>(array.size());
 }
 
-/// Calls the plugin so that others can see where it is, and lets nothing of its own out.
+[[noreturn]] void report_changed_environment(PluginCall call, std::int32_t number) {
+  throw PluginMisbehaved(described(call, number) + " changes the floating-point environment");
+}
+
+/// Calls the plugin so that others can see where it is, and lets nothing of its own out: neither
+/// what it throws nor how it computes. Gives back what the body returns.
 template <class Body>
 auto watched(const PluginWatch& watch, PluginCall call, std::int32_t number, const Body& body) {
   const WatchedCall noted(watch, call, number);
+  const FloatingPointControl before;
+  decltype(body()) result{};
   try {
-    return body();
+    result = body();
   } catch (...) {
+    before.restore();
     throw PluginMisbehaved(described(call, number) + " let a C++ exception escape");
   }
+  if (before.is_in_force()) return result;
+  before.restore();
+  report_changed_environment(call, number);
 }
 
 }  // namespace
 
 void PluginEngine::reset(std::span<const Vector3> points, const EngineSetup& setup) {
   PHYTOBENCH_EXPECT(setup.influence_distance >= smallest_influence_distance);
-  destroy();
+  if (!destroy()) report_changed_environment(PluginCall::destroy, 0);
   points_ = points;
   threads_ = setup.threads;
   live_.resize(points.size());
@@ -79,15 +91,21 @@ void PluginEngine::create(const EngineSetup& setup) {
       .threads = setup.threads,
       .associations = setup.associations,
       .reserved = 0};
-  engine_ = watched(plugin_.watch(), PluginCall::create, 0,
-                    [&] { return table_.create(in_c(points_), count_of(points_), &handed); });
+  watched(plugin_.watch(), PluginCall::create, 0, [&] {
+    engine_ = table_.create(in_c(points_), count_of(points_), &handed);
+    return true;  // it is destroyed even if what create() did besides is an offence
+  });
   if (engine_ == nullptr) report_failure(PluginCall::create, 0);
 }
 
-void PluginEngine::destroy() {
-  if (engine_ == nullptr) return;
+bool PluginEngine::destroy() noexcept {
+  if (engine_ == nullptr) return true;
   const WatchedCall noted(plugin_.watch(), PluginCall::destroy, 0);
+  const FloatingPointControl before;
   table_.destroy(std::exchange(engine_, nullptr));
+  const bool is_kept = before.is_in_force();
+  before.restore();
+  return is_kept;
 }
 
 Assignment PluginEngine::associate(std::span<const SearchableNode> new_nodes) {
@@ -180,8 +198,10 @@ void PluginEngine::take_out_the_dead() {
 
 void PluginEngine::tell_plugin() {
   if (table_.removed == nullptr || removed_.empty()) return;
-  watched(plugin_.watch(), PluginCall::removed, removals_,
-          [&] { table_.removed(engine_, removed_.data(), count_of(removed_)); });
+  watched(plugin_.watch(), PluginCall::removed, removals_, [&] {
+    table_.removed(engine_, removed_.data(), count_of(removed_));
+    return true;
+  });
 }
 
 void PluginEngine::report_failure(PluginCall call, std::int32_t number) {

@@ -13,7 +13,8 @@
 namespace phytobench {
 
 /// One engine of a plugin. Believes nothing: every index is checked before anyone uses it, and
-/// what cannot be is thrown as PluginMisbehaved. Keeps the live points, and finds those to remove
+/// what cannot be is thrown as PluginMisbehaved, as is a change of the floating-point environment,
+/// which is taken back after each call. Keeps the live points, and finds those to remove
 /// for plugins that do not. Whether answers are right is not its business.
 class PluginEngine final : public NearestNodeEngine {
  public:
@@ -34,7 +35,8 @@ class PluginEngine final : public NearestNodeEngine {
 
  private:
   void create(const EngineSetup& setup);
-  void destroy();
+  /// False if that changed the floating-point environment, which is as before again.
+  bool destroy() noexcept;
   void take_answers();
   void let_plugin_remove(std::span<const SearchableNode> killers, double kill_distance);
   void remove_by_grid(std::span<const SearchableNode> killers, double kill_distance);
