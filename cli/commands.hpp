@@ -113,6 +113,19 @@ struct CompetitionRaceOptions {
 };
 int race_competition(const CompetitionRaceOptions& options);
 
+struct LSystemRaceOptions {
+  std::vector<std::string> systems{"all"};  ///< names, or files
+  std::vector<std::string> engines{"all"};
+  std::vector<int> threads{1};
+  double segments = 1e7;  ///< of a drawing, at most
+  double modules = 2e7;   ///< of a word that is only derived, at most; 0: none is
+  int rounds = 7;
+  std::uint64_t seed = 0;
+  bool json = false;
+  std::string command_line;
+};
+int race_lsystem(const LSystemRaceOptions& options);
+
 struct OverlapOptions {
   std::string discs;         ///< CSV file
   std::string radius = "r";  ///< its column of radii

@@ -165,7 +165,12 @@ int grow(const GrowOptions& given) {
                  {.options = loop, .threads = options.threads, .observer = report_iteration});
   if (result.stop_reason == StopReason::interrupted) throw Interrupted();
   if (result.skeleton.node_count() == seedling.skeleton.node_count())
-    throw InputError(options.config + ": " + why_growth_cannot_start(seedling));
+    throw InputError(options.config + ": " +
+                     (result.stop_reason == StopReason::no_child_allowed
+                          ? std::string("growth cannot start: growth.most_children or "
+                                        "growth.most_branch_depth forbids every child; raise "
+                                        "them, or set stem.crown_ratio to 0")
+                          : why_growth_cannot_start(seedling)));
 
   ordered_json json = summary(options, parameters, seedling, result);
   Plant plant = make_plant(result.skeleton, parameters.plant);

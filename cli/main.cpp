@@ -63,8 +63,9 @@ int run_command_line(int argc, char** argv) {
   Commands commands;
   commands.run.command_line = commands.nearest_node_race.command_line =
       commands.overlap_race.command_line = commands.hopkins_race.command_line =
-          commands.competition_race.command_line = commands.compare.command_line =
-              commands.selftest.command_line = commands.history.command_line = joined(argc, argv);
+          commands.competition_race.command_line = commands.lsystem_race.command_line =
+              commands.compare.command_line = commands.selftest.command_line =
+                  commands.history.command_line = joined(argc, argv);
   add_list(app, commands);
   add_run(app, commands);
   add_report(app, commands);

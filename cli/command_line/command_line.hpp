@@ -23,6 +23,7 @@ struct Commands {
   OverlapRaceOptions overlap_race;
   HopkinsRaceOptions hopkins_race;
   CompetitionRaceOptions competition_race;
+  LSystemRaceOptions lsystem_race;
   OverlapOptions overlap;
   PatternOptions pattern;
   CompeteOptions compete;

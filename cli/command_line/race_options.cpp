@@ -144,6 +144,38 @@ void add_competition_race(CLI::App& race, Commands& commands) {
       [&] { commands.chosen = [&] { return race_competition(commands.competition_race); }; });
 }
 
+void add_lsystem_race(CLI::App& race, Commands& commands) {
+  LSystemRaceOptions& options = commands.lsystem_race;
+  CLI::App* sub = race.add_subcommand("lsystem", "Engines that derive and draw L-systems");
+  sub->add_option("--systems", options.systems,
+                  "all, names, or files of systems without parameters; comma-separated")
+      ->delimiter(',')
+      ->capture_default_str();
+  sub->add_option("--engines", options.engines, "all, or names; comma-separated")
+      ->delimiter(',')
+      ->capture_default_str();
+  sub->add_option("--segments", options.segments, "Most segments of a drawing; sets derivations")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 2e9));
+  sub->add_option("--modules", options.modules,
+                  "Most modules of words that are only derived; 0: no such table")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e9));
+  sub->add_option("--threads", options.threads,
+                  "Threads of engines that use them; several are raced against each other")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  sub->add_option("--rounds", options.rounds, "Timed rounds")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  sub->add_option("--seed", options.seed, "Of the order of timing")
+      ->capture_default_str()
+      ->check(whole_number);
+  sub->add_flag("--json", options.json, "One JSON document");
+  sub->callback([&] { commands.chosen = [&] { return race_lsystem(commands.lsystem_race); }; });
+}
+
 }  // namespace
 
 void add_race(CLI::App& app, Commands& commands) {
@@ -153,10 +185,12 @@ void add_race(CLI::App& app, Commands& commands) {
   add_overlap_race(*sub, commands);
   add_hopkins_race(*sub, commands);
   add_competition_race(*sub, commands);
+  add_lsystem_race(*sub, commands);
 }
 
 void refuse_unknown_race(int argc, char** argv) {
-  const std::vector<std::string> names = {"nearest-node", "overlap", "hopkins", "competition"};
+  const std::vector<std::string> names = {"nearest-node", "overlap", "hopkins", "competition",
+                                          "lsystem"};
   if (argc < 2 || std::string(argv[1]) != "race") return;
   const std::string what = argc < 3 ? "" : argv[2];
   if (what == "--help" || what == "-h" ||
@@ -164,7 +198,8 @@ void refuse_unknown_race(int argc, char** argv) {
     return;
   throw InputError(
       "cannot race '" + what + "'" + did_you_mean(what, names) +
-      "; use phytobench race nearest-node, race overlap, race hopkins or race competition");
+      "; use phytobench race nearest-node, race overlap, race hopkins, race competition "
+      "or race lsystem");
 }
 
 }  // namespace phytobench::cli
