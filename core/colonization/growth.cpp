@@ -2,10 +2,12 @@
 #include "core/colonization/growth.hpp"
 
 #include <chrono>
+#include <memory>
 #include <numbers>
 #include <utility>
 
 #include "core/colonization/growth_step.hpp"
+#include "core/colonization/rest.hpp"
 #include "core/contract/check.hpp"
 
 namespace phytobench {
@@ -35,10 +37,11 @@ class GrowthLoop {
  public:
   GrowthLoop(const Seedling& seedling, NearestNodeEngine& engine, const GrowthRun& run)
       : seedling_(seedling),
-        engine_(engine),
+        nodes_(as_large(start_nodes(seedling))),
+        rest_(made_rest(engine)),
+        engine_(rest_ ? rest_->engine() : engine),
         run_(run),
-        step_(seedling.growth, run.threads),
-        nodes_(as_large(start_nodes(seedling))) {
+        step_(seedling.growth, run.threads) {
     result_.skeleton = seedling.skeleton;
     reserve(seedling.attraction_points.size());
   }
@@ -55,6 +58,13 @@ class GrowthLoop {
   }
 
  private:
+  /// Only if nodes can come to rest: everybody else's engine works as it is.
+  std::unique_ptr<Rest> made_rest(NearestNodeEngine& engine) const {
+    const std::int32_t iterations = seedling_.growth.limits.rest_iterations;
+    if (iterations == GrowthLimits::unlimited) return nullptr;
+    return std::make_unique<Rest>(iterations, nodes_.size(), engine);
+  }
+
   /// Trees rarely have more nodes than attraction points, and pages that nobody touches cost
   /// nothing; copying and clearing memory as lists double costs more than growth itself.
   void reserve(std::size_t node_count) {
@@ -66,7 +76,8 @@ class GrowthLoop {
   EngineSetup engine_setup() const {
     const GrowthParameters& growth = seedling_.growth;
     const bool angle_in_search = growth.variant.perception_test == PerceptionTest::during_search;
-    return {.influence_distance = growth.influence_distance,
+    return {.influence_distance =
+                largest_within(growth.influence_distance, growth.variant.influence_boundary),
             .perception_half_angle_rad =
                 angle_in_search ? 0.5 * growth.perception_angle_rad : std::numbers::pi,
             .search_filter = run_.options.point_filter,
@@ -91,21 +102,27 @@ class GrowthLoop {
           return StopReason::no_points_left;
         }
       }
-      const std::size_t associated = associate_and_grow(pass);
-      if (!deferred() && pass.new_nodes > 0) kill(i, kill_distance(i), pass);
+      const GrowthStep::Counts counts = associate_and_grow(pass);
+      if (!deferred() && (pass.new_nodes > 0 || rest_)) kill(i, kill_distance(i), pass);
       result_.passes.push_back(pass);
       if (run_.observer && !run_.observer(pass)) return StopReason::interrupted;
-      if (pass.new_nodes == 0)
-        return associated == 0 ? StopReason::no_point_in_range : StopReason::no_new_node;
+      const bool may_change = rest_ && counts.assigned_points > 0;
+      if (pass.new_nodes == 0 && !may_change) return why_nothing_grew(pass);
       if (!deferred() && engine_.live_points() == 0) return StopReason::no_points_left;
     }
     return StopReason::iteration_limit;
   }
 
-  std::size_t associate_and_grow(PassStatistics& pass) {
+  static StopReason why_nothing_grew(const PassStatistics& pass) {
+    if (pass.searchable_nodes == 0) return StopReason::every_node_rests;
+    if (pass.associated_points == 0) return StopReason::no_point_in_range;
+    return pass.refused_children > 0 ? StopReason::no_child_allowed : StopReason::no_new_node;
+  }
+
+  GrowthStep::Counts associate_and_grow(PassStatistics& pass) {
     const WorkCounters before = engine_.counters();
     pass.live_points = engine_.live_points();
-    pass.searchable_nodes = nodes_.size();
+    pass.searchable_nodes = nodes_.size() - (rest_ ? rest_->resting() : 0);
     const Assignment assignment = associate();
     const WorkCounters after = engine_.counters();
     pass.queried_points = after.queries - before.queries;
@@ -116,8 +133,10 @@ class GrowthLoop {
                                                  seedling_.crown_root, nodes_, result_.skeleton);
     pass.associated_points = counts.associated_points;
     pass.suppressed_repeats = counts.suppressed_repeats;
+    pass.refused_children = counts.refused_children;
     pass.new_nodes = nodes_.size() - known_to_engine_;
-    return counts.associated_points;
+    if (rest_) rest_->note(result_.skeleton, seedling_.crown_root, pass.new_nodes);
+    return counts;
   }
 
   Assignment associate() {
@@ -161,14 +180,17 @@ class GrowthLoop {
   }
 
   double kill_distance(int i) const {
-    return seedling_.growth.kill_distance.at(i, seedling_.growth.iterations);
+    const GrowthParameters& growth = seedling_.growth;
+    return largest_within(growth.kill_distance.at(i, growth.iterations),
+                          growth.variant.kill_boundary);
   }
 
   const Seedling& seedling_;
+  LargeVector<SearchableNode> nodes_;
+  std::unique_ptr<Rest> rest_;  // only if nodes can come to rest
   NearestNodeEngine& engine_;
   const GrowthRun& run_;
   GrowthStep step_;
-  LargeVector<SearchableNode> nodes_;
   std::vector<SearchableNode> first_killers_;
   std::size_t known_to_engine_ = 0;  // nodes handed to associate() so far
   GrowthResult result_;
@@ -186,6 +208,10 @@ std::string_view name_of(StopReason reason) {
       return "no_point_in_range";
     case StopReason::no_new_node:
       return "no_new_node";
+    case StopReason::no_child_allowed:
+      return "no_child_allowed";
+    case StopReason::every_node_rests:
+      return "every_node_rests";
     case StopReason::interrupted:
       return "interrupted";
   }
@@ -205,9 +231,10 @@ std::vector<SearchableNode> start_nodes(const Seedling& seedling) {
 }
 
 GrowthResult grow_crown(const Seedling& seedling, NearestNodeEngine& engine, const GrowthRun& run) {
-  const KillDistanceSchedule& kill = seedling.growth.kill_distance;
-  PHYTOBENCH_EXPECT(kill.begin <= seedling.growth.influence_distance);
-  PHYTOBENCH_EXPECT(kill.end <= seedling.growth.influence_distance);
+  const GrowthParameters& growth = seedling.growth;
+  const double reach = largest_within(growth.influence_distance, growth.variant.influence_boundary);
+  for (const double kill : {growth.kill_distance.begin, growth.kill_distance.end})
+    PHYTOBENCH_EXPECT(largest_within(kill, growth.variant.kill_boundary) <= reach);
   return GrowthLoop(seedling, engine, run).run();
 }
 

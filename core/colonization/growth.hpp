@@ -26,11 +26,12 @@ struct Seedling {
 struct PassStatistics {
   int iteration = 0;
   std::size_t live_points = 0;       ///< at the association
-  std::size_t searchable_nodes = 0;  ///< at the association
+  std::size_t searchable_nodes = 0;  ///< at the association; without those that rest
   std::size_t queried_points = 0;    ///< live points that passed option n
   std::size_t associated_points = 0;
   std::size_t new_nodes = 0;
   std::size_t suppressed_repeats = 0;
+  std::size_t refused_children = 0;  ///< by most_children or most_branch_depth
   std::size_t removed_points = 0;
   std::uint64_t search_evaluations = 0;
   std::uint64_t kill_evaluations = 0;
@@ -41,6 +42,8 @@ enum class StopReason {
   no_points_left,     ///< every attraction point has been removed
   no_point_in_range,  ///< no live point is perceived by any node
   no_new_node,        ///< points are perceived, but every child would repeat an existing one
+  no_child_allowed,   ///< or, for at least one of them, is refused by the limits of growth
+  every_node_rests,   ///< no node has got a child for rest_iterations
   interrupted,        ///< the observer asked to stop
 };
 
@@ -74,7 +77,8 @@ struct GrowthRun {
 };
 
 /// Grows the crown of `seedling` with `engine`. The tree depends on the seedling alone: not on the
-/// engine, the loop options or the threads.
+/// engine, the loop options or the threads. While nodes can come to rest (GrowthLimits), an
+/// iteration without a new node does not end growth: when they rest, others get their points.
 GrowthResult grow_crown(const Seedling& seedling, NearestNodeEngine& engine,
                         const GrowthRun& run = {});
 

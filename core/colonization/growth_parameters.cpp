@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "core/colonization/growth_parameters.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "core/contract/errors.hpp"
 
 namespace phytobench {
+
+double largest_within(double distance, Boundary boundary) {
+  if (boundary == Boundary::inclusive || std::isinf(distance)) return distance;
+  return std::nextafter(distance, 0.0);
+}
 
 LoopOptions loop_options_named(std::string_view name) {
   using enum KillTiming;

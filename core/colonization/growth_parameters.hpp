@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <string_view>
 
 #include "core/colonization/kill_distance.hpp"
@@ -48,6 +50,9 @@ enum class DeferredFirstPass {
   kill,  ///< a mistake that grows another tree
 };
 
+/// Whether what lies exactly at a distance is within it; [Liebemann2017] sec. 3.3 says "within".
+enum class Boundary { inclusive, exclusive };
+
 /// Readings of the model under which published trees differ. The defaults are those that reproduce
 /// the published counts; each field names the alternative.
 struct GrowthVariant {
@@ -58,6 +63,27 @@ struct GrowthVariant {
   StartKillers start_killers = StartKillers::crown_root;
   DeferredKillDistance deferred_kill_distance = DeferredKillDistance::previous_iteration;
   DeferredFirstPass deferred_first_pass = DeferredFirstPass::skip;
+  Boundary influence_boundary = Boundary::inclusive;
+  Boundary kill_boundary = Boundary::inclusive;
+};
+
+/// How far a new node is from its parent.
+enum class StepWeighting {
+  none,             ///< step_length everywhere
+  by_branch_depth,  ///< step_length (2 - Z / most_branch_depth): twice as far at branch depth 0
+};
+
+/// Conditions on growth ([Liebemann2017] sec. 3.5). The defaults forbid nothing.
+struct GrowthLimits {
+  static constexpr std::int32_t unlimited = std::numeric_limits<std::int32_t>::max();
+
+  std::int32_t most_children = unlimited;      ///< max_grad, of any node, >= 1
+  std::int32_t most_branch_depth = unlimited;  ///< max_Z, by eq. 3.5 at creation, >= 0
+  /// max_NG, >= 1: a node without a new child in so many iterations in a row rests. Its points go
+  /// to the nearest node that does not.
+  std::int32_t rest_iterations = unlimited;
+  /// Weighting needs a most_branch_depth that is neither 0 nor unlimited.
+  StepWeighting step_weighting = StepWeighting::none;
 };
 
 /// What the crown's growth needs to know ([Brzoska2019] sec. 3.4.4, 4.1, 5.2.1).
@@ -69,7 +95,12 @@ struct GrowthParameters {
   KillDistanceSchedule kill_distance;  ///< d_c, never above influence_distance
   Vector3 tropism;                     ///< g, already weighted; length is its strength
   GrowthVariant variant;
+  GrowthLimits limits;
 };
+
+/// The largest distance that is still within `distance`: itself, or the next smaller number.
+/// Infinity stays.
+double largest_within(double distance, Boundary boundary);
 
 /// When points near new nodes are removed ([Brzoska2019] sec. 5.2.2, option D).
 enum class KillTiming {

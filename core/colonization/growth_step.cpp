@@ -30,6 +30,7 @@ GrowthStep::GrowthStep(const GrowthParameters& parameters, int threads)
       threads_(threads),
       limit_(0.5 * parameters.perception_angle_rad),
       perception_(parameters.influence_distance, 0.5 * parameters.perception_angle_rad),
+      limits_(parameters),
       shares_(static_cast<std::size_t>(std::clamp(threads, 1, most_shares))) {
   associated_.resize(shares_.size() == 1 ? 1 : parts_per_share * shares_.size());
 }
@@ -43,6 +44,7 @@ GrowthStep::Counts GrowthStep::grow(std::span<const Vector3> points, const Assig
                                     std::int32_t first, LargeVector<SearchableNode>& nodes,
                                     Skeleton& skeleton) {
   find_nodes(assignment);
+  limits_.follow(skeleton);
   place_.resize(nodes.size(), not_growing);
   last_step_.resize(nodes.size());
   for_tasks(shares_.size(), threads_, [&](std::size_t number) {
@@ -50,9 +52,11 @@ GrowthStep::Counts GrowthStep::grow(std::span<const Vector3> points, const Assig
     grow_share(share, associated_of(share, number), points, first, nodes, skeleton);
   });
   Counts counts;
+  for (const Associated& part : associated_) counts.assigned_points += part.points.size();
   for (const Share& share : shares_) {
     counts.associated_points += share.counts.associated_points;
     counts.suppressed_repeats += share.counts.suppressed_repeats;
+    counts.refused_children += share.counts.refused_children;
   }
   append_children(first, nodes, skeleton);
   return counts;
@@ -136,9 +140,10 @@ void GrowthStep::find_growing(Share& share, const Associated& associated,
 
 /// A node gets points only when it is new; later it loses some to newer nodes or to removal. So if
 /// it has as many as at its last step, it has the same, would grow the same child, and that stands
-/// there already.
+/// there already. Where nodes rest that does not hold: theirs go to others.
 void GrowthStep::note_changes(Share& share) const {
   if (parameters_.variant.repeat_guard == RepeatGuard::off) return;
+  if (parameters_.limits.rest_iterations != GrowthLimits::unlimited) return;
   std::vector<GrowingNode>& growing = share.growing;
   for (std::size_t i = 0; i < growing.size(); ++i) {
     const NodeIndex soon = growing[std::min(i + steps_ahead, growing.size() - 1)].node;
@@ -181,6 +186,7 @@ void GrowthStep::find_children(Share& share, std::int32_t first,
     const auto node = static_cast<std::size_t>(parent.node);
     const Fate fate = grow_child(parent, first, nodes[node], skeleton, share.children);
     share.counts.suppressed_repeats += fate == Fate::repeat;
+    share.counts.refused_children += fate == Fate::refused;
     last_step_[node] = {parent.points, fate};
   }
 }
@@ -188,6 +194,8 @@ void GrowthStep::find_children(Share& share, std::int32_t first,
 GrowthStep::Fate GrowthStep::grow_child(const GrowingNode& parent, std::int32_t first,
                                         const SearchableNode& node, const Skeleton& skeleton,
                                         std::vector<Child>& children) const {
+  const std::int32_t grows_on = first + parent.node;
+  if (limits_.any() && !limits_.allow_child(grows_on)) return Fate::refused;
   if (!parent.changed) {
     const Fate last = last_step_[static_cast<std::size_t>(parent.node)].fate;
     return last == Fate::no_direction ? last : Fate::repeat;
@@ -196,9 +204,9 @@ GrowthStep::Fate GrowthStep::grow_child(const GrowingNode& parent, std::int32_t 
   const auto direction = growth_direction(parent.sum, parameters_.tropism, variant.tropism_order);
   if (!direction) return Fate::no_direction;
   const Vector3 limited = limit_(*direction, node.direction);
-  const Vector3 position = node.position + parameters_.step_length * limited;
-  if (variant.repeat_guard == RepeatGuard::on &&
-      skeleton.has_child_at(first + parent.node, position))
+  const double step = limits_.any() ? limits_.step_length(grows_on) : parameters_.step_length;
+  const Vector3 position = node.position + step * limited;
+  if (variant.repeat_guard == RepeatGuard::on && skeleton.has_child_at(grows_on, position))
     return Fate::repeat;
   children.push_back({{position, limited}, parent.node, parent.first_point});
   return Fate::grows;

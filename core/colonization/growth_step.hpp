@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/colonization/branching_limits.hpp"
 #include "core/colonization/growth_direction.hpp"
 #include "core/memory/large_array.hpp"
 #include "core/nearest_node/perception.hpp"
@@ -18,8 +19,10 @@ namespace phytobench {
 class GrowthStep {
  public:
   struct Counts {
-    std::size_t associated_points = 0;
+    std::size_t assigned_points = 0;     ///< by the engine
+    std::size_t associated_points = 0;   ///< those of them that their node perceives
     std::size_t suppressed_repeats = 0;  ///< children not made because one stands there already
+    std::size_t refused_children = 0;    ///< children not made because of the limits
   };
 
   explicit GrowthStep(const GrowthParameters& parameters, int threads = 1);
@@ -46,7 +49,7 @@ class GrowthStep {
     std::uint32_t points;
     bool changed;  ///< since its last step
   };
-  enum class Fate : std::uint8_t { grows, repeat, no_direction };
+  enum class Fate : std::uint8_t { grows, repeat, no_direction, refused };
   struct Child {
     SearchableNode node;
     NodeIndex parent;
@@ -92,6 +95,7 @@ class GrowthStep {
   int threads_;
   DirectionLimit limit_;
   Perception perception_;
+  BranchingLimits limits_;
   std::vector<Associated> associated_;  // one after the other all there are
   std::vector<Share> shares_;
   std::vector<std::size_t> next_child_;  // per share

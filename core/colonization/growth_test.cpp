@@ -266,9 +266,10 @@ TEST(StopReasonName, IsDifferentForEachReason) {
   std::set<std::string_view> names;
   for (const StopReason reason :
        {StopReason::iteration_limit, StopReason::no_points_left, StopReason::no_point_in_range,
-        StopReason::no_new_node, StopReason::interrupted})
+        StopReason::no_new_node, StopReason::no_child_allowed, StopReason::every_node_rests,
+        StopReason::interrupted})
     names.insert(name_of(reason));
-  EXPECT_EQ(names.size(), 5u);
+  EXPECT_EQ(names.size(), 7u);
   EXPECT_FALSE(names.contains("unknown"));
 }
 

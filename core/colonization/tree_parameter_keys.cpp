@@ -14,6 +14,11 @@ void choose_variant(Values& values, std::size_t word) {
   field = static_cast<std::remove_reference_t<decltype(field)>>(word);
 }
 
+/// A whole number, or inf.
+NumberKey limit(double low, double& (*place)(Values&)) {
+  return {.low = low, .high = 1e9, .whole = true, .infinity_is_allowed = true, .place = place};
+}
+
 std::vector<TreeParameterKey> make_keys() {
   constexpr std::string_view thesis = "[Brzoska2019] sec. 5.2.1, value published by its author";
   constexpr double most_iterations = 1e6;
@@ -45,6 +50,35 @@ std::vector<TreeParameterKey> make_keys() {
        "attraction points per unit volume; without it 12 + 18 * gnarliness", thesis,
        NumberKey{.low_is_allowed = false,
                  .place = [](Values& v) -> double& { return v.parameters.cloud_density; }}},
+      {"cloud.shape", "-", "\"cut_ellipsoid\"",
+       "where attraction points lie: the crown's \"cut_ellipsoid\"; a \"disc\", an \"annulus\" or "
+       "a "
+       "\"ring\" (a circle line) in the plane z = 0; a \"sphere_shell\"",
+       "[Liebemann2017] fig. 3.2",
+       ChoiceKey{
+           {"cut_ellipsoid", "disc", "annulus", "ring", "sphere_shell"},
+           [](Values& v, std::size_t word) { v.cloud_shape = static_cast<CloudShape>(word); }}},
+      {"cloud.radius", "length", "5.0", "radius of a round shape; instead of radii",
+       "[Liebemann2017] fig. 3.2",
+       NumberKey{.high = 1e15,
+                 .low_is_allowed = false,
+                 .place = [](Values& v) -> double& { return v.round_cloud.region.radius; }},
+       true},
+      {"cloud.inner_radius", "length", "0.0",
+       "radius of the hole of an annulus or sphere_shell; at most radius", "phytobench",
+       NumberKey{.high = 1e15,
+                 .place = [](Values& v) -> double& { return v.round_cloud.region.inner_radius; }},
+       true},
+      {"cloud.centre", "length", "[0.0, 5.0, 0.0]",
+       "centre of a round shape, seen from the crown root", "phytobench",
+       VectorKey{false, [](Values& v) -> Vector3& { return v.round_cloud.region.centre; }}, true},
+      {"cloud.points", "-", "2000", "attraction points of a round shape; instead of density",
+       "[Liebemann2017] fig. 3.2",
+       NumberKey{.low = 1,
+                 .high = 1e8,
+                 .whole = true,
+                 .place = [](Values& v) -> double& { return v.cloud_points; }},
+       true},
 
       {"growth.iterations", "-", "30", "iterations at most; growth may stop earlier", thesis,
        NumberKey{.low = 1,
@@ -110,6 +144,27 @@ std::vector<TreeParameterKey> make_keys() {
            .high = 700,
            .place = [](Values& v) -> double& { return v.parameters.kill_distance.sigmoid_end; }}},
 
+      {"growth.most_children", "-", "inf", "max_grad, children that a node may get at most",
+       "[Liebemann2017] sec. 3.5", limit(1, [](Values& v) -> double& { return v.most_children; })},
+      {"growth.most_branch_depth", "-", "inf",
+       "max_Z, greatest branch depth: the first child of a node is as deep as its parent, each "
+       "later one is one deeper",
+       "[Liebemann2017] eq. 3.5, sec. 3.5",
+       limit(0, [](Values& v) -> double& { return v.most_branch_depth; })},
+      {"growth.rest_iterations", "-", "inf",
+       "max_NG, a node that gets no child in so many iterations in a row rests: other nodes get "
+       "its points",
+       "[Liebemann2017] sec. 3.5",
+       limit(1, [](Values& v) -> double& { return v.rest_iterations; })},
+      {"growth.step_weighting", "-", "\"none\"",
+       "\"by_branch_depth\" multiplies the step length by 2 - Z / most_branch_depth: 2 at branch "
+       "depth 0, 1 at the greatest",
+       "[Liebemann2017] sec. 3.5, weighted growth",
+       ChoiceKey{{"none", "by_branch_depth"},
+                 [](Values& v, std::size_t word) {
+                   v.parameters.limits.step_weighting = static_cast<StepWeighting>(word);
+                 }}},
+
       {"tropism.direction", "-", "[0.0, 1.0, 0.0]",
        "g, added to the sum of unit vectors to the points", "[Brzoska2019] eq. 10",
        VectorKey{false, [](Values& v) -> Vector3& { return v.parameters.tropism_direction; }}},
@@ -155,6 +210,26 @@ std::vector<TreeParameterKey> make_keys() {
        NumberKey{.high = 1e6,
                  .low_is_allowed = false,
                  .place = [](Values& v) -> double& { return v.parameters.plant.tip_radius; }}},
+
+      {"branches.angle_reduction", "share", "0.0",
+       "how far each node of the finished skeleton moves to its parent, which narrows the angles "
+       "between branches; 0.5 is halfway",
+       "[Liebemann2017] sec. 3.4, after Runions et al. 2007",
+       NumberKey{.high = 0.99,
+                 .place = [](Values& v) -> double& { return v.parameters.plant.angle_reduction; }}},
+      {"branches.curve_reduction_deg", "degree", "0.0",
+       "nodes where a branch turns by less than this are left out of mesh and leaves; 0 leaves "
+       "out none",
+       "[Liebemann2017] eq. 3.6",
+       NumberKey{.high = 180, .place = [](Values& v) -> double& { return v.curve_reduction_deg; }}},
+      {"branches.curve_reduction_order", "-", "\"simultaneous\"",
+       "turns measured between the edges as they were (\"simultaneous\"), or \"root_to_tip\" "
+       "between those that are left",
+       "[Liebemann2017] eq. 3.6",
+       ChoiceKey{{"simultaneous", "root_to_tip"},
+                 [](Values& v, std::size_t word) {
+                   v.parameters.plant.curve_reduction.order = static_cast<ReductionOrder>(word);
+                 }}},
 
       {"pendulous.intensity", "share", "0.0",
        "lambda, how far branches hang; bends the finished skeleton", "[Brzoska2019] eq. 13",
@@ -283,6 +358,16 @@ std::vector<TreeParameterKey> make_keys() {
        "[Brzoska2019] sec. 5.2.2 D",
        ChoiceKey{{"previous_iteration", "current_iteration"},
                  choose_variant<&GrowthVariant::deferred_kill_distance>}},
+      {"variant.influence_boundary", "-", "\"inclusive\"",
+       "whether a point exactly at the influence distance still attracts (\"inclusive\") or not "
+       "(\"exclusive\")",
+       "[Liebemann2017] sec. 3.3",
+       ChoiceKey{{"inclusive", "exclusive"}, choose_variant<&GrowthVariant::influence_boundary>}},
+      {"variant.kill_boundary", "-", "\"inclusive\"",
+       "whether a point exactly at the kill distance is removed (\"inclusive\") or not "
+       "(\"exclusive\")",
+       "[Liebemann2017] sec. 3.3",
+       ChoiceKey{{"inclusive", "exclusive"}, choose_variant<&GrowthVariant::kill_boundary>}},
       {"variant.deferred_first_pass", "-", "\"skip\"",
        "whether a deferred removal runs before the first growth; \"kill\" is a mistake that grows "
        "another tree",

@@ -16,9 +16,19 @@
 
 namespace phytobench {
 
+/// The words of cloud.shape.
+enum class CloudShape { cut_ellipsoid, disc, annulus, ring, sphere_shell };
+
 /// Values as they stand in a file, before gnarliness is resolved.
 struct TreeFileValues {
   TreeParameters parameters;
+  CloudShape cloud_shape = CloudShape::cut_ellipsoid;
+  RoundCloud round_cloud;
+  double cloud_points = 2000;
+  double most_children = std::numeric_limits<double>::infinity();
+  double most_branch_depth = std::numeric_limits<double>::infinity();
+  double rest_iterations = std::numeric_limits<double>::infinity();
+  double curve_reduction_deg = 0.0;
   double seed = 0;
   double iterations = 30;
   double gnarliness = 0.8;

@@ -25,6 +25,11 @@ double radians(double degrees) {
 std::vector<Vector3> sample_cloud(const TreeParameters& p, double density,
                                   const Vector3& crown_root) {
   const auto stream = make_stream(p.random, p.seed, cloud_stream);
+  if (p.round_cloud) {
+    RoundRegion region = p.round_cloud->region;
+    region.centre = crown_root + region.centre;
+    return attraction_points(region, p.round_cloud->points, *stream);
+  }
   return attraction_points(p.cloud, attraction_point_count(p.cloud, density), crown_root, *stream);
 }
 
@@ -82,7 +87,8 @@ Seedling make_seedling(const TreeParameters& p) {
                      .perception_angle_rad = radians(p.perception_angle_deg),
                      .kill_distance = p.kill_distance,
                      .tropism = weighted_tropism(p, seedling, crown_root),
-                     .variant = p.variant};
+                     .variant = p.variant,
+                     .limits = p.limits};
   return seedling;
 }
 

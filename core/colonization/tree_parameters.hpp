@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "core/colonization/attraction_cloud.hpp"
+#include "core/colonization/attraction_region.hpp"
 #include "core/colonization/growth.hpp"
 #include "core/random/unit_stream.hpp"
 #include "core/tree/plant.hpp"
@@ -17,13 +19,20 @@ enum class TropismDamping {
   cloud_shape,  ///< y weight min(1, (height / max(width, depth))^2) of the points' extents
 };
 
+/// A round region and how many points it gets, instead of the cut ellipsoid and its density.
+struct RoundCloud {
+  RoundRegion region{.radius = 5.0, .centre = {0, 5, 0}};  ///< centre relative to the crown root
+  std::size_t points = 2000;
+};
+
 /// A whole tree: stem, cloud, growth and look. The defaults are the start settings of the 2019
 /// program as its author published them.
 struct TreeParameters {
   std::uint64_t seed = 0;
   StreamKind random = StreamKind::subtractive;
   CutEllipsoid cloud;
-  double cloud_density = 26.4;  ///< attraction points per unit volume, > 0
+  double cloud_density = 26.4;            ///< attraction points per unit volume, > 0
+  std::optional<RoundCloud> round_cloud;  ///< if given, `cloud` and its density are not looked at
   int iterations = 30;
   double step_length = 0.25;
   double influence_distance = 0.66;
@@ -38,6 +47,7 @@ struct TreeParameters {
   double stem_tilt_deg = 5.0;     ///< largest tilt of a stem piece, [0, 90]
   double crown_stem_ratio = 0.0;  ///< share of the cloud's height that a trunk runs through, [0, 1]
   GrowthVariant variant;
+  GrowthLimits limits;
   PlantParameters plant;
 };
 

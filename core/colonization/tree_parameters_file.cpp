@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include <fmt/format.h>
@@ -49,6 +50,8 @@ class TreeFileReader {
     for (current_ = 0; current_ < tables_.size(); ++current_)
       read_table(*tables_[current_].table, "");
     resolve_coupling();
+    resolve_cloud();
+    resolve_limits();
     values_.parameters.seed = static_cast<std::uint64_t>(values_.seed);
     values_.parameters.iterations = static_cast<int>(values_.iterations);
     resolve_plant();
@@ -154,6 +157,8 @@ class TreeFileReader {
                              ? values_.pendulous_first_order
                              : std::floor(values_.pendulous_begin * deepest);
     p.plant.pendulous.first_order = static_cast<std::int32_t>(std::min(first, 1e9));
+    p.plant.curve_reduction.cosine_above =
+        std::cos(values_.curve_reduction_deg * (std::numbers::pi / 180.0));
     p.plant.branches.circle_resolution = static_cast<int>(values_.circle_resolution);
     p.plant.leaves.seed = p.seed;
   }
@@ -185,16 +190,76 @@ class TreeFileReader {
     if (!is_given("cloud.density")) parameters.cloud_density = coupling.cloud_density;
   }
 
+  /// A round cloud and the cut ellipsoid have keys of their own; a key that the shape does not
+  /// look at is a mistake.
+  void check_keys_of_cloud(bool round) const {
+    for (const char* key : {"cloud.radii", "cloud.cutoff_bottom", "cloud.cutoff_top",
+                            "cloud.density", "tropism.damping_density"})
+      if (round && is_given(key))
+        fail(key, fmt::format("{} belongs to cloud.shape = \"cut_ellipsoid\"; round shapes have "
+                              "cloud.radius, inner_radius, centre and points",
+                              key));
+    for (const char* key : {"cloud.radius", "cloud.inner_radius", "cloud.centre", "cloud.points"})
+      if (!round && is_given(key))
+        fail(key, fmt::format("{} belongs to a round cloud.shape; give one, such as \"disc\", or "
+                              "cloud.radii and cloud.density instead",
+                              key));
+  }
+
+  void resolve_cloud() {
+    const bool round = values_.cloud_shape != CloudShape::cut_ellipsoid;
+    check_keys_of_cloud(round);
+    if (!round) return;
+    RoundCloud& cloud = values_.round_cloud;
+    const bool hollow = values_.cloud_shape == CloudShape::annulus ||
+                        values_.cloud_shape == CloudShape::sphere_shell;
+    if (!hollow && is_given("cloud.inner_radius"))
+      fail("cloud.inner_radius",
+           "cloud.inner_radius belongs to cloud.shape = \"annulus\" or \"sphere_shell\"; leave it "
+           "out or change the shape");
+    if (cloud.region.inner_radius > cloud.region.radius)
+      fail_any({"cloud.inner_radius", "cloud.radius"},
+               fmt::format("cloud.inner_radius = {} exceeds cloud.radius = {}; lower the one or "
+                           "raise the other",
+                           cloud.region.inner_radius, cloud.region.radius));
+    cloud.region.shape = static_cast<RoundShape>(static_cast<int>(values_.cloud_shape) - 1);
+    cloud.points = static_cast<std::size_t>(values_.cloud_points);
+    values_.parameters.round_cloud = cloud;
+  }
+
+  void resolve_limits() {
+    const auto whole = [](double limit) {
+      return std::isinf(limit) ? GrowthLimits::unlimited : static_cast<std::int32_t>(limit);
+    };
+    GrowthLimits& limits = values_.parameters.limits;
+    limits.most_children = whole(values_.most_children);
+    limits.most_branch_depth = whole(values_.most_branch_depth);
+    limits.rest_iterations = whole(values_.rest_iterations);
+    const double deepest = values_.most_branch_depth;
+    if (limits.step_weighting == StepWeighting::by_branch_depth &&
+        (deepest == 0.0 || std::isinf(deepest)))
+      fail_any({"growth.step_weighting"},
+               fmt::format("growth.step_weighting = \"by_branch_depth\" divides by "
+                           "growth.most_branch_depth = {}; give a depth of at least 1",
+                           deepest));
+  }
+
   void check_combinations() const {
     const TreeParameters& p = values_.parameters;
-    if (p.influence_distance < smallest_influence_distance)
+    const double reach = largest_within(p.influence_distance, p.variant.influence_boundary);
+    if (reach < smallest_influence_distance)
       fail("growth.influence_distance",
            fmt::format("growth.influence_distance = {} is too small to be squared; use at least {}",
                        p.influence_distance, smallest_influence_distance));
+    if (std::max(p.kill_distance.begin, p.kill_distance.end) == p.influence_distance &&
+        reach < p.influence_distance && p.variant.kill_boundary == Boundary::inclusive)
+      fail_any({"variant.influence_boundary", "growth.influence_distance"},
+               "points exactly at growth.influence_distance would be removed and never attract; "
+               "set variant.kill_boundary = \"exclusive\" as well, or lower the kill distance");
     for (const auto& [key, distance] :
          {std::pair{"growth.kill_distance_begin", p.kill_distance.begin},
           std::pair{"growth.kill_distance_end", p.kill_distance.end}})
-      if (distance > p.influence_distance)
+      if (largest_within(distance, p.variant.kill_boundary) > reach)
         fail_any(
             {key, "growth.influence_distance"},
             fmt::format("{} = {} exceeds growth.influence_distance = {}; points would vanish that "
@@ -218,6 +283,7 @@ class TreeFileReader {
 
   void check_point_count() const {
     const TreeParameters& p = values_.parameters;
+    if (p.round_cloud) return;  // says its number of points itself
     for (const auto& [key, density] :
          {std::pair{"cloud.density", p.cloud_density},
           std::pair{"tropism.damping_density", p.tropism_damping_density}}) {

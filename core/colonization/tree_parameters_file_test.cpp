@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -62,6 +63,15 @@ void expect_same(const GrowthVariant& a, const GrowthVariant& b) {
   EXPECT_EQ(a.start_killers, b.start_killers);
   EXPECT_EQ(a.deferred_kill_distance, b.deferred_kill_distance);
   EXPECT_EQ(a.deferred_first_pass, b.deferred_first_pass);
+  EXPECT_EQ(a.influence_boundary, b.influence_boundary);
+  EXPECT_EQ(a.kill_boundary, b.kill_boundary);
+}
+
+void expect_same(const GrowthLimits& a, const GrowthLimits& b) {
+  EXPECT_EQ(a.most_children, b.most_children);
+  EXPECT_EQ(a.most_branch_depth, b.most_branch_depth);
+  EXPECT_EQ(a.rest_iterations, b.rest_iterations);
+  EXPECT_EQ(a.step_weighting, b.step_weighting);
 }
 
 void expect_same(const KillDistanceSchedule& a, const KillDistanceSchedule& b) {
@@ -92,6 +102,11 @@ void expect_same(const TreeParameters& a, const TreeParameters& b) {
   EXPECT_EQ(a.stem_tilt_deg, b.stem_tilt_deg);
   EXPECT_EQ(a.crown_stem_ratio, b.crown_stem_ratio);
   expect_same(a.variant, b.variant);
+  expect_same(a.limits, b.limits);
+  EXPECT_EQ(a.round_cloud.has_value(), b.round_cloud.has_value());
+  EXPECT_EQ(a.plant.angle_reduction, b.plant.angle_reduction);
+  EXPECT_EQ(a.plant.curve_reduction.cosine_above, b.plant.curve_reduction.cosine_above);
+  EXPECT_EQ(a.plant.curve_reduction.order, b.plant.curve_reduction.order);
 }
 
 TEST(TreeParametersFile, EmptyHoldsTheDefaults) {
@@ -256,12 +271,14 @@ TEST(TreeParametersFile, NumbersOfTheWrongTypeAreInputErrors) {
 }
 
 TEST(TreeParametersFile, NumbersThatAreNoneOrUnboundedAreInputErrors) {
+  const std::set<std::string_view> unbounded{"growth.influence_distance", "growth.most_children",
+                                             "growth.most_branch_depth", "growth.rest_iterations"};
   for (const TreeParameterKey& key : tree_parameter_keys()) {
     const NumberKey* number = std::get_if<NumberKey>(&key.kind);
     if (number == nullptr) continue;
     expect_complaint(file_with(key.name, "nan"), line_of(key.name), key.name);
     expect_complaint(file_with(key.name, "-inf"), line_of(key.name), key.name);
-    EXPECT_EQ(number->infinity_is_allowed, key.name == "growth.influence_distance") << key.name;
+    EXPECT_EQ(number->infinity_is_allowed, unbounded.contains(key.name)) << key.name;
     if (!number->infinity_is_allowed)
       expect_complaint(file_with(key.name, "inf"), line_of(key.name), key.name);
   }
@@ -320,7 +337,10 @@ TEST(TreeParametersFile, ChoicesMustBeOneOfTheirWords) {
     for (const char* value : {"\"nonsense\"", "\"\"", "1", "true"})
       expect_complaint(file_with(key.name, value), line_of(key.name), key.name);
     for (const std::string_view word : choice->words) {
-      EXPECT_NO_THROW(parse(file_with(key.name, fmt::format("\"{}\"", word)))) << key.name;
+      // Weights need a depth to divide by.
+      const char* companion = word == "by_branch_depth" ? "most_branch_depth = 2\n" : "";
+      EXPECT_NO_THROW(parse(file_with(key.name, fmt::format("\"{}\"", word)) + companion))
+          << key.name;
       EXPECT_THAT(complaint(file_with(key.name, "\"nonsense\"")), HasSubstr(std::string(word)));
     }
   }

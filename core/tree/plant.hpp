@@ -8,6 +8,7 @@
 
 #include "core/picture/image.hpp"
 #include "core/tree/branch_mesh.hpp"
+#include "core/tree/curve_reduction.hpp"
 #include "core/tree/leaves.hpp"
 #include "core/tree/pendulous_branches.hpp"
 
@@ -18,7 +19,10 @@ namespace phytobench {
 struct PlantParameters {
   double tip_radius = 0.007;     ///< length units, > 0
   double radius_exponent = 1.9;  ///< n of eq. 12, > 0; the thesis' thickness t is n = 3 - 2 t
+  /// Nodes move by this share of the way to their parents, [0, 1) ([Liebemann2017] sec. 3.4).
+  double angle_reduction = 0.0;
   PendulousBranches pendulous;
+  CurveReduction curve_reduction;  ///< after bending, so that node depths mean what they say
   BranchMeshOptions branches;
   LeafOptions leaves;
   Colour bark_colour = parse_colour("#6b4a2b");
@@ -29,7 +33,7 @@ struct PlantParameters {
 
 /// A plant's shape. Vertices and triangles are counted over branches and leaves.
 struct Plant {
-  Skeleton skeleton{Vector3{}};  ///< bent, if its branches hang
+  Skeleton skeleton{Vector3{}};  ///< bent, if its branches hang; nodes may be left out
   std::vector<double> radii;     ///< per node
   BranchMesh branches;
   std::vector<Leaf> leaves;
