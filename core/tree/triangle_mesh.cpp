@@ -76,7 +76,6 @@ void append(TriangleMesh& mesh, const TriangleMesh& other) {
   mesh.normals.insert(mesh.normals.end(), other.normals.begin(), other.normals.end());
   mesh.texture_points.insert(mesh.texture_points.end(), other.texture_points.begin(),
                              other.texture_points.end());
-  mesh.triangles.reserve(mesh.triangle_count() + other.triangle_count());
   for (const Triangle& t : other.triangles)
     mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }

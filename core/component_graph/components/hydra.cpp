@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Children like a star about the axis, all from one point ([Lintermann1997] sec. 4 and 5.1).
+#include "core/component_graph/component.hpp"
+#include "core/component_graph/shapes/child_placing.hpp"
+
+namespace phytobench::components {
+
+namespace {
+
+enum Key : std::size_t { count, sweep, azimuth, tilt, roll, scale };
+
+constexpr std::array<ComponentKey, 2> hydra_keys{{
+    {"count", "1", "children per link", in_section_4, "6", RangedNumber{child_counts, 6.0}},
+    {"sweep", "degrees", "they share it: each is turned on by sweep / count", own_choice, "360.0",
+     RangedNumber{turns, 360.0}},
+}};
+constexpr auto keys =
+    joined(hydra_keys, child_placing_keys("angle between the axis and each child", "45.0", 45.0));
+constexpr ChildPlacingKeys placing{.azimuth = azimuth, .tilt = tilt, .roll = roll, .scale = scale};
+
+std::uint64_t child_count(const ComponentValues& values) {
+  return values.count(count);
+}
+
+void place_children(const ComponentInput& input, LinkKind, std::span<Frame> frames) {
+  const ComponentValues& values = input.values;
+  const double step = values.number(sweep) / static_cast<double>(frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const SiblingNumber number = child_number(i, frames);
+    const double direction = child_azimuth(values, placing, number, step * static_cast<double>(i));
+    frames[i] = child_frame(values, placing, number, {}, direction);
+  }
+}
+
+}  // namespace
+
+extern const ComponentKind hydra{
+    .name = "hydra",
+    .summary = "Makes children like a star, all from one point.",
+    .source = "[Lintermann1997] sec. 4",
+    .keys = keys,
+    .is_multiplier = true,
+    .child_count = child_count,
+    .place_children = place_children,
+};
+
+}  // namespace phytobench::components
