@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
@@ -25,6 +27,8 @@ std::vector<const DerivationEngine*> chosen_engines(const LSystemRaceOptions& op
 }
 
 std::vector<LSystemWorkload> chosen_workloads(const LSystemRaceOptions& options) {
+  if (!std::isfinite(options.segments) || !std::isfinite(options.modules))
+    throw InputError("--segments and --modules are numbers, such as 1e7");
   std::vector<LSystemWorkload> chosen;
   for (const std::string& name : options.systems) {
     if (name != "all") {

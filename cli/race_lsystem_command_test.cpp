@@ -65,6 +65,8 @@ TEST_F(RaceLSystemCommand, TakesYourOwnSystem) {
 }
 
 TEST_F(RaceLSystemCommand, RefusesWrongInput) {
+  expect_refused("--segments nan", "--segments");
+  expect_refused("--modules nan", "--modules");
   expect_refused("--systems koch_iland", "did you mean 'koch_island'");
   expect_refused("--engines memoized", "did you mean 'memoised'");
   expect_refused("--segments 0", "segments");
