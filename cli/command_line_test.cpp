@@ -54,8 +54,8 @@ TEST_F(CommandLine, ExaminesTheMachine) {
 
 // list
 
-const Words kinds = {"papers",          "claims",  "experiments", "engines",
-                     "overlap-engines", "presets", "stands",      "rules"};
+const Words kinds = {"papers",  "claims", "experiments", "engines", "overlap-engines",
+                     "presets", "graphs", "components",  "stands",  "rules"};
 
 TEST_F(CommandLine, ListsEveryKindWithUniqueIdsAndSummaries) {
   for (const std::string& kind : kinds) {

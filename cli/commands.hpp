@@ -126,6 +126,26 @@ struct LSystemRaceOptions {
 };
 int race_lsystem(const LSystemRaceOptions& options);
 
+struct PlantBuildOptions {
+  std::string graph;                  ///< file of components
+  std::string preset;                 ///< instead of a file
+  std::string time;                   ///< "T" or "FIRST:LAST:FRAMES"; empty: as the file says
+  std::optional<std::uint64_t> seed;  ///< unset: as the file says
+  double resolution = 1.0;            ///< detail of meshes
+  std::vector<std::string> out;       ///< .obj or .glb files
+  bool split = false;                 ///< meshes of at most 65,536 vertices
+  std::string picture;                ///< .png; empty: none
+  double azimuth_deg = 90.0;
+  double elevation_deg = 8.0;
+  double distance = 0.0;  ///< 0: the whole plant fits
+  int picture_height = 800;
+  int threads = 1;      ///< of pictures
+  std::string tree;     ///< list or dot: prints the i-tree instead; empty: no
+  std::string example;  ///< kind of component to explain, or list; empty: none
+  bool json = false;
+};
+int build(const PlantBuildOptions& options);
+
 struct OverlapOptions {
   std::string discs;         ///< CSV file
   std::string radius = "r";  ///< its column of radii

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include <filesystem>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/plant_files.hpp"
 #include "cli/terminal.hpp"
 #include "core/colonization/tree_parameters_file.hpp"
 #include "core/contract/errors.hpp"
 #include "core/contract/text_file.hpp"
 #include "core/nearest_node/engine_registry.hpp"
-#include "core/picture/render.hpp"
 #include "core/tree/branches.hpp"
-#include "core/tree/gltf_export.hpp"
-#include "core/tree/obj_export.hpp"
 #include "core/tree/skeleton_svg.hpp"
 #include "reference/tree_presets.hpp"
 
@@ -21,7 +17,6 @@ namespace phytobench::cli {
 
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 ordered_json summary(const GrowOptions& options, const TreeParameters& parameters,
@@ -82,41 +77,25 @@ bool report_iteration(const PassStatistics& pass) {
   return !is_interrupted();
 }
 
-std::string extension_of(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
+PlantView view_of(const GrowOptions& options) {
+  return {.azimuth_deg = options.azimuth_deg,
+          .elevation_deg = options.elevation_deg,
+          .distance = options.distance,
+          .height = options.picture_height,
+          .threads = options.threads};
 }
 
 /// Refuses what cannot work before anything has grown.
-void check_file_names(const GrowOptions& options) {
-  for (const std::string& file : options.out)
-    if (extension_of(file) != ".obj" && extension_of(file) != ".glb")
-      throw InputError("--out " + file + " must end in .obj or .glb");
+void check_options(const GrowOptions& options) {
+  refuse_odd_view(view_of(options));
+  refuse_other_models(options.out);
   const std::string picture = extension_of(options.picture);
   if (!options.picture.empty() && picture != ".svg" && picture != ".png")
     throw InputError("--picture " + options.picture + " must end in .png or .svg");
-  if (picture == ".png" && !can_render())
-    throw EnvironmentError(
-        "--picture " + options.picture +
-        " needs Embree; install libembree-dev and build again, or ask for an .svg picture");
+  if (picture == ".png") refuse_without_renderer(options.picture, "ask for an .svg picture");
   if (!options.picture.empty() && options.picture == options.config)
     throw InputError("--picture " + options.picture +
                      " would overwrite the parameter file; name another");
-}
-
-std::string rendered(const GrowOptions& options, const std::vector<SceneObject>& objects) {
-  constexpr double aspect = 0.8;
-  RenderOptions render_options{.height = options.picture_height, .threads = options.threads};
-  render_options.width = std::max(1, static_cast<int>(aspect * options.picture_height));
-  render_options.progress = [](double share) {
-    show_progress(fmt::format("picture: {:.0f} %", 100.0 * share));
-    return !is_interrupted();
-  };
-  Camera camera{.azimuth_deg = options.azimuth_deg, .elevation_deg = options.elevation_deg};
-  camera = fitted(camera, box_of(objects), aspect);
-  if (options.distance > 0.0) camera.distance = options.distance;
-  return to_png(render(objects, camera, render_options));
 }
 
 /// Everything that was asked for, made before anything is written.
@@ -126,16 +105,9 @@ std::vector<FileContent> make_files(const GrowOptions& options, const Skeleton& 
   if (extension_of(options.picture) == ".svg")
     files.push_back({options.picture, skeleton_svg(grown, "Tree grown from " + options.config)});
   if (extension_of(options.picture) == ".png")
-    files.push_back({options.picture, rendered(options, objects)});
+    files.push_back({options.picture, plant_picture(objects, box_of(objects), view_of(options))});
   if (options.split) objects = split_objects(std::move(objects));
-  for (const std::string& file : options.out) {
-    show_progress("packing " + file);
-    if (extension_of(file) == ".obj")
-      for (FileContent& part : to_obj(objects, file)) files.push_back(std::move(part));
-    else
-      files.push_back({file, to_glb(objects)});
-    if (is_interrupted()) throw Interrupted();
-  }
+  for (FileContent& file : plant_models(objects, options.out)) files.push_back(std::move(file));
   return files;
 }
 
@@ -154,7 +126,7 @@ int grow(const GrowOptions& given) {
     throw InputError(
         "grow needs a parameter file or a --preset; phytobench grow --example prints a file to "
         "start from, phytobench list presets lists the presets");
-  check_file_names(options);
+  check_options(options);
   const TreeParameters parameters = read_tree_parameters(options.config);
   const LoopOptions loop = loop_options_named(options.option);
   const auto engine = engine_named(options.engine).create();

@@ -86,6 +86,7 @@ TEST_F(GrowCommand, RefusesFilesOfAnotherKindBeforeItGrows) {
   expect_refused({"grow", "tree.toml", "--out", "tree.fbx"}, 2, ".obj or .glb");
   expect_refused({"grow", "tree.toml", "--picture", "tree.jpg"}, 2, ".png or .svg");
   expect_refused({"grow", "tree.toml", "--elevation", "91"}, 2, "--elevation");
+  expect_refused({"grow", "tree.toml", "--elevation", "nan"}, 2, "--elevation");
   expect_refused({"grow", "tree.toml", "--picture-height", "1"}, 2, "--picture-height");
 }
 

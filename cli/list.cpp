@@ -2,9 +2,11 @@
 #include <functional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/component_list.hpp"
 #include "cli/terminal.hpp"
 #include "core/competition/competition_registry.hpp"
 #include "core/contract/errors.hpp"
@@ -12,6 +14,7 @@
 #include "core/nearest_node/engine_registry.hpp"
 #include "core/overlap/overlap_registry.hpp"
 #include "experiments/experiment_registry.hpp"
+#include "reference/graph_presets.hpp"
 #include "reference/papers.hpp"
 #include "reference/stand_presets.hpp"
 #include "reference/tree_presets.hpp"
@@ -94,7 +97,16 @@ ordered_json preset_rows(const std::vector<PresetFile>& presets) {
 }
 
 ordered_json presets() {
-  return preset_rows(tree_presets());
+  ordered_json rows = preset_rows(tree_presets());
+  for (const GraphPreset& preset : graph_presets())
+    rows.push_back({{"id", preset.name},
+                    {"file", preset.file.string()},
+                    {"summary", "components: " + preset.summary}});
+  return rows;
+}
+
+ordered_json graphs() {
+  return preset_rows(graph_presets());
 }
 
 ordered_json stands() {
@@ -124,6 +136,8 @@ constexpr Kind kinds[] = {{"papers", papers},
                           {"engines", engines},
                           {"overlap-engines", overlap_engines},
                           {"presets", presets},
+                          {"graphs", graphs},
+                          {"components", component_rows},
                           {"stands", stands},
                           {"rules", rules}};
 
@@ -155,9 +169,8 @@ ordered_json rows_of(const std::string& what) {
     if (what == kind.name) return kind.rows();
     names.emplace_back(kind.name);
   }
-  throw InputError("cannot list '" + what + "'" + did_you_mean(what, names) +
-                   "; use papers, claims, experiments, engines, overlap-engines, presets, "
-                   "stands or rules");
+  throw InputError(fmt::format("cannot list '{}'{}; use one of {}", what, did_you_mean(what, names),
+                               fmt::join(names, ", ")));
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ struct Commands {
   HopkinsRaceOptions hopkins_race;
   CompetitionRaceOptions competition_race;
   LSystemRaceOptions lsystem_race;
+  PlantBuildOptions build;
   OverlapOptions overlap;
   PatternOptions pattern;
   CompeteOptions compete;
@@ -43,6 +44,7 @@ void add_run(CLI::App& app, Commands& commands);
 void add_report(CLI::App& app, Commands& commands);
 void add_grow(CLI::App& app, Commands& commands);
 void add_race(CLI::App& app, Commands& commands);
+void add_build(CLI::App& app, Commands& commands);
 void add_overlap(CLI::App& app, Commands& commands);
 void add_pattern(CLI::App& app, Commands& commands);
 void add_compete(CLI::App& app, Commands& commands);

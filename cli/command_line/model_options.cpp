@@ -65,6 +65,47 @@ void add_overlap(CLI::App& app, Commands& commands) {
   sub->callback([&] { commands.chosen = [&] { return overlap(commands.overlap); }; });
 }
 
+void add_build(CLI::App& app, Commands& commands) {
+  PlantBuildOptions& options = commands.build;
+  CLI::App* sub = app.add_subcommand("build", "Build a plant from a graph of components");
+  sub->add_option("graph", options.graph, "Components and links in TOML; see --example");
+  sub->add_option("--preset", options.preset,
+                  "A file that comes with the program; see phytobench list graphs");
+  sub->add_option("--time", options.time,
+                  "Of key frames; FIRST:LAST:FRAMES makes frames of an animation");
+  sub->add_option("--seed", options.seed, "Of random(), instead of that in the file")
+      ->check(whole_number);
+  sub->add_option("--resolution", options.resolution, "Detail of meshes, 0.001 to 100")
+      ->capture_default_str()
+      ->check(CLI::Range(0.001, 100.0));
+  sub->add_option("--out", options.out, "Write the plant as .obj, .glb or both; comma-separated")
+      ->delimiter(',');
+  sub->add_flag("--split", options.split, "Meshes of at most 65536 vertices each");
+  sub->add_option("--picture", options.picture, "Write a .png picture");
+  sub->add_option("--azimuth", options.azimuth_deg, "Picture from this side, degrees; 0 is +x")
+      ->capture_default_str()
+      ->check(CLI::Range(-3600.0, 3600.0));
+  sub->add_option("--elevation", options.elevation_deg, "From this height, degrees above level")
+      ->capture_default_str()
+      ->check(CLI::Range(-90.0, 90.0));
+  sub->add_option("--distance", options.distance,
+                  "From this far, in the plant's unit; 0: the whole plant fits")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e9));
+  sub->add_option("--picture-height", options.picture_height, "Pixels")
+      ->capture_default_str()
+      ->check(CLI::Range(16, 8192));
+  sub->add_option("--threads", options.threads, "Of pictures; never change them")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  sub->add_flag("--tree{list}", options.tree,
+                "Print the tree of instances instead: --tree=list or --tree=dot");
+  sub->add_option("--example", options.example,
+                  "Print a graph that explains every key of this kind of component; or list");
+  sub->add_flag("--json", options.json, "One JSON document");
+  sub->callback([&] { commands.chosen = [&] { return build(commands.build); }; });
+}
+
 void add_pattern(CLI::App& app, Commands& commands) {
   PatternOptions& options = commands.pattern;
   CLI::App* sub = app.add_subcommand("pattern", "Random, clustered or regular: what a pattern is");

@@ -247,6 +247,8 @@ TEST(RegistrationTidy, EveryEngineAndExperimentHasOneLineAndOneFile) {
         List{"core/competition/competition_rules.def", "core/competition/rules/"},
         List{"core/lsystem/derivation_engines.def", "core/lsystem/engines/"},
         List{"core/component_graph/components.def", "core/component_graph/components/"},
+        List{"core/component_graph/extra_components/extra_components.def",
+             "core/component_graph/extra_components/"},
         List{"benchmarks/broken/broken_engines.def", "benchmarks/broken/"},
         List{"benchmarks/regression/families.def", "benchmarks/regression/families/"},
         List{"benchmarks/faulty_engines/faulty_engines.def", "benchmarks/faulty_engines/"},

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "cli/plant_files.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/terminal.hpp"
+#include "core/contract/errors.hpp"
+#include "core/picture/render.hpp"
+#include "core/tree/gltf_export.hpp"
+#include "core/tree/obj_export.hpp"
+
+namespace phytobench::cli {
+
+namespace fs = std::filesystem;
+
+void refuse_odd_view(const PlantView& view) {
+  const std::pair<const char*, double> numbers[] = {{"--azimuth", view.azimuth_deg},
+                                                    {"--elevation", view.elevation_deg},
+                                                    {"--distance", view.distance}};
+  for (const auto& [option, number] : numbers)
+    if (!std::isfinite(number))
+      throw InputError(fmt::format("{} {}: give a finite number", option, number));
+}
+
+std::string extension_of(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+void refuse_other_models(const std::vector<std::string>& files) {
+  for (const std::string& file : files)
+    if (extension_of(file) != ".obj" && extension_of(file) != ".glb")
+      throw InputError("--out " + file + " must end in .obj or .glb");
+}
+
+void refuse_without_renderer(const std::string& picture, const std::string& instead) {
+  if (!can_render())
+    throw EnvironmentError("--picture " + picture +
+                           " needs Embree; install libembree-dev and build again, or " + instead);
+}
+
+std::string plant_picture(const std::vector<SceneObject>& objects, const BoundingBox& box,
+                          const PlantView& view) {
+  constexpr double aspect = 0.8;
+  RenderOptions options{.height = view.height, .threads = view.threads};
+  options.width = std::max(1, static_cast<int>(aspect * view.height));
+  options.progress = [](double share) {
+    show_progress(fmt::format("picture: {:.0f} %", 100.0 * share));
+    return !is_interrupted();
+  };
+  Camera camera{.azimuth_deg = view.azimuth_deg, .elevation_deg = view.elevation_deg};
+  camera = fitted(camera, box, aspect);
+  if (view.distance > 0.0) camera.distance = view.distance;
+  return to_png(render(objects, camera, options));
+}
+
+std::vector<FileContent> plant_models(const std::vector<SceneObject>& objects,
+                                      const std::vector<std::string>& names) {
+  std::vector<FileContent> files;
+  for (const std::string& name : names) {
+    show_progress("packing " + name);
+    if (extension_of(name) == ".obj")
+      for (FileContent& part : to_obj(objects, name)) files.push_back(std::move(part));
+    else
+      files.push_back({name, to_glb(objects)});
+    if (is_interrupted()) throw Interrupted();
+  }
+  return files;
+}
+
+}  // namespace phytobench::cli
