@@ -28,6 +28,15 @@ void move_planar(const double* from, std::size_t segments, PlaneDirection headin
                  double y, double* out) {
   const Ends d;
   const std::size_t lanes = hn::Lanes(d);
+  // Processors before AVX: with two lanes the vector form gave other numbers, so plain arithmetic.
+  if (lanes < numbers_of_a_segment) {
+    for (std::size_t i = 0; i < segments * numbers_of_a_segment; i += 2) {
+      const double a = from[i], b = from[i + 1];
+      out[i] = (a * heading.x + b * -heading.y) + x;
+      out[i + 1] = (b * heading.x + a * heading.y) + y;
+    }
+    return;
+  }
   const auto cosine = hn::Set(d, heading.x);
   const auto sine = hn::OddEven(hn::Set(d, heading.y), hn::Set(d, -heading.y));
   const auto move = hn::OddEven(hn::Set(d, y), hn::Set(d, x));
@@ -57,6 +66,8 @@ std::size_t move_spatial(const double* from, std::size_t points, const TurtleFra
                          const Vector3& position, double* out) {
   const hn::ScalableTag<double> d;
   const std::size_t lanes = hn::Lanes(d);
+  // Two lanes gain nothing here: the caller's loop does it.
+  if (lanes < 4) return 0;
   const auto [h, l, u] = frame;
   const auto moved = [&](auto a, auto b, auto c, double hi, double li, double ui, double at) {
     const auto in_plane = hn::Add(hn::Mul(a, hn::Set(d, hi)), hn::Mul(b, hn::Set(d, li)));
