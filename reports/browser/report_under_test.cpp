@@ -98,6 +98,7 @@ void make_report_under_test(const fs::path& folder) {
     std::map<std::string, Results> by_experiment;
     for (const auto& [name, value] : measurements)
       add(name, value, by_experiment[experiment_of(name)]);
+    if (by_experiment.empty()) continue;  // a work of which nothing is measured yet
     write_pictures(writer, by_experiment.begin()->first);
     for (const auto& [experiment, results] : by_experiment)
       writer.append(experiment, results.records, results.timings);
