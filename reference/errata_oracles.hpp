@@ -25,17 +25,8 @@ using OracleTable = std::map<std::string, OraclePair>;
 /// Where a form has no value.
 inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
-OracleTable brzoska2019_oracles();
-OracleTable alsweis_pattern_oracles();      ///< appendix A and section 2.4.1
-OracleTable alsweis_growth_oracles();       ///< growth of plants, laws of density
-OracleTable alsweis_population_oracles();   ///< cells, seed bank, dispersal
-OracleTable alsweis_competition_oracles();  ///< chapters 4, 5 and 7
-
-// Words that numbers contradict, and cases that words leave out.
-OracleTable brzoska2019_wording_oracles();
-OracleTable alsweis_wording_oracles();
-OracleTable tiles_and_noise_oracles();  ///< [Alsweis] ch. 3, 6, appendices; L-systems of both
-OracleTable brzoska2019_mesh_oracles();
-OracleTable brzoska2019_growth_trend_oracles();
+#define ERRATA_ORACLES(name) OracleTable name##_oracles();
+#include "reference/errata_oracles.def"
+#undef ERRATA_ORACLES
 
 }  // namespace phytobench

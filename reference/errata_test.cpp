@@ -22,12 +22,9 @@ namespace {
 const OracleTable& oracles_by_name() {
   static const OracleTable oracles = [] {
     OracleTable all;
-    for (const OracleTable& part :
-         {brzoska2019_oracles(), alsweis_pattern_oracles(), alsweis_growth_oracles(),
-          alsweis_population_oracles(), alsweis_competition_oracles(),
-          brzoska2019_wording_oracles(), alsweis_wording_oracles(), tiles_and_noise_oracles(),
-          brzoska2019_mesh_oracles(), brzoska2019_growth_trend_oracles()})
-      all.insert(part.begin(), part.end());
+#define ERRATA_ORACLES(name) all.merge(name##_oracles());
+#include "reference/errata_oracles.def"
+#undef ERRATA_ORACLES
     return all;
   }();
   return oracles;

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "benchmarks/heap_memory.hpp"
 
 namespace phytobench {
@@ -45,24 +43,24 @@ class Hash {
       hash_ *= 0x100000001b3ULL;
     }
   }
-  std::string text() const { return fmt::format("{:016x}", hash_); }
+  std::uint64_t value() const { return hash_; }
 
  private:
   std::uint64_t hash_ = 0xcbf29ce484222325ULL;
 };
 
-std::string hash_of(const Assignment& assignment) {
+std::uint64_t hash_of(const Assignment& assignment) {
   Hash hash;
   for (const NodeIndex node : assignment.node) hash.add(node);
-  return hash.text();
+  return hash.value();
 }
 
-std::string hash_of(std::span<const PointIndex> removed) {
+std::uint64_t hash_of(std::span<const PointIndex> removed) {
   std::vector<PointIndex> ascending(removed.begin(), removed.end());
   std::sort(ascending.begin(), ascending.end());
   Hash hash;
   for (const PointIndex point : ascending) hash.add(point);
-  return hash.text();
+  return hash.value();
 }
 
 /// 0 where it is not known.

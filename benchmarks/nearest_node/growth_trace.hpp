@@ -2,7 +2,7 @@
 // One growth written down, to be replayed on any engine: search alone, without growing.
 #pragma once
 
-#include <string>
+#include <cstdint>
 #include <vector>
 
 #include "core/colonization/growth.hpp"
@@ -25,8 +25,8 @@ GrowthTrace record_trace(const EngineDescriptor& engine, const Seedling& seedlin
                          const GrowthRun& run);
 
 struct Replay {
-  std::vector<std::string> assignment_hashes;  ///< one per association
-  std::vector<std::string> removal_hashes;     ///< one per removal
+  std::vector<std::uint64_t> assignment_hashes;  ///< one per association
+  std::vector<std::uint64_t> removal_hashes;    ///< one per removal
   /// The most that was allocated and not yet freed after any call, beyond what was before the
   /// engine existed. Temporary memory within a call is not seen. Negative where the C library
   /// cannot tell.

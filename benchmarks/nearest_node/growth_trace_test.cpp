@@ -141,10 +141,10 @@ TEST(Replay, HashesDifferFromIterationToIterationOfAGrowingTree) {
   const Replay replayed = replay_on("squared_scan", trace_of(seedling), seedling);
   const auto& assignments = replayed.assignment_hashes;
   EXPECT_GT(assignments.size(), 10u);
-  EXPECT_EQ(std::set<std::string>(assignments.begin(), assignments.end()).size(),
+  EXPECT_EQ(std::set<std::uint64_t>(assignments.begin(), assignments.end()).size(),
             assignments.size());
   // Removals differ as well, but all those of nothing are equal.
-  std::set<std::string> removals;
+  std::set<std::uint64_t> removals;
   std::size_t expected = 0, empty = 0;
   for (std::size_t i = 0; i < replayed.removal_hashes.size(); ++i) {
     const bool removes = grown.passes[i].removed_points > 0;

@@ -24,6 +24,10 @@ std::int32_t whole_blocks(std::int32_t slots) {
 constexpr double row_edge_per_reach = 0.52;
 constexpr double cell_per_reach = 0.22;
 constexpr double most_chunks_per_point = 0.72;
+// Among fewer points, memory lies in tables rather than in points, and no search takes long.
+constexpr std::size_t few_points = 8192;
+constexpr std::int32_t places_for_few = 2;
+constexpr double most_chunks_per_point_for_few = 0.36;
 constexpr std::size_t points_worth_slabs = 200'000;
 constexpr std::int32_t chunks_per_slab = 16;
 
@@ -43,8 +47,11 @@ RowShape row_shape(const BoundingBox& box, std::size_t count, double reach) {
   shape.low = box.low();
   shape.margin = reach * 0x1p-30 + largest_coordinate(box) * 0x1p-46;
   const double longest = std::max({extent.x, extent.y, extent.z});
+  const bool are_few = count < few_points;
+  if (are_few) shape.places = places_for_few;
+  const double per_point = are_few ? most_chunks_per_point_for_few : most_chunks_per_point;
   const double most_chunks =
-      std::min(most_chunks_per_point * static_cast<double>(count) + 16.0, 5e7);  // 32-bit offsets
+      std::min(per_point * static_cast<double>(count) + 16.0, 5e7);  // 32-bit offsets
   // No finer than a double can tell cells apart, and not zero for a single point.
   double edge = std::max(
       {row_edge_per_reach * reach, 0x1p-20 * longest, std::numeric_limits<double>::min() * 0x1p20});

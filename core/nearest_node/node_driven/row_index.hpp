@@ -39,6 +39,8 @@ struct RowShape {
   std::int32_t rows_y = 1;
   std::int32_t rows_z = 1;
   double margin = 0.0;  ///< more than the rounding of any coordinate
+  /// Of a node in its row's cross-section, along y and along z, that RowStencil tells apart.
+  std::int32_t places = 4;
 
   std::int32_t cells() const { return chunks * chunk_cells; }
   std::int32_t rows_per_slab() const { return rows_y * rows_z; }

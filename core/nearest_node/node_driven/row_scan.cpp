@@ -105,8 +105,8 @@ class RowScan {
     const double y = (node.y - shape_.low.y) * inverse_row_;
     const double z = (node.z - shape_.low.z) * inverse_row_;
     const double cell_x = std::floor(x), cell_y = std::floor(y), cell_z = std::floor(z);
-    const auto place = [](double in_cell) {
-      return static_cast<std::int32_t>(RowStencil::places * in_cell);
+    const auto place = [this](double in_cell) {
+      return static_cast<std::int32_t>(stencil_.places() * in_cell);
     };
     return {static_cast<std::int32_t>(cell_x),
             static_cast<std::int32_t>(cell_y),
