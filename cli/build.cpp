@@ -37,14 +37,6 @@ void check_tree_options(const PlantBuildOptions& options) {
   if (!options.picture.empty()) throw InputError(std::string(options_of_tree) + "--picture");
 }
 
-PlantView view_of(const PlantBuildOptions& options) {
-  return {.azimuth_deg = options.azimuth_deg,
-          .elevation_deg = options.elevation_deg,
-          .distance = options.distance,
-          .height = options.picture_height,
-          .threads = options.threads};
-}
-
 void check_options(const PlantBuildOptions& options) {
   if (!options.preset.empty() && !options.graph.empty())
     throw InputError("give a file of components or --preset, not both");
@@ -55,7 +47,7 @@ void check_options(const PlantBuildOptions& options) {
   if (!options.tree.empty()) check_tree_options(options);
   if (!std::isfinite(options.resolution))  // the command line lets "nan" pass
     throw InputError(fmt::format("--resolution {}: give a number", options.resolution));
-  refuse_odd_view(view_of(options));
+  refuse_odd_view(view_of(options, options.threads));
   refuse_other_models(options.out);
   if (options.picture.empty()) return;
   if (extension_of(options.picture) != ".png")
@@ -173,7 +165,8 @@ class PlantBuild {
              const MomentFiles& names) const {
     std::vector<FileContent> files;
     if (!names.picture.empty())
-      files.push_back({names.picture, plant_picture(objects, box_, view_of(options_))});
+      files.push_back(
+          {names.picture, plant_picture(objects, box_, view_of(options_, options_.threads))});
     if (options_.split) objects = split_objects(std::move(objects));
     for (FileContent& file : plant_models(objects, names.models)) files.push_back(std::move(file));
     refuse_same_names(files);

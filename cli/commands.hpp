@@ -37,7 +37,15 @@ struct ReportOptions {
 };
 int report(const ReportOptions& options);
 
-struct GrowOptions {
+/// From where the picture of a plant is taken.
+struct CameraOptions {
+  double azimuth_deg = 90.0;
+  double elevation_deg = 8.0;
+  double distance = 0.0;  ///< 0: the whole plant fits
+  int picture_height = 800;
+};
+
+struct GrowOptions : CameraOptions {
   std::string config;
   std::string preset;  ///< instead of a file
   std::string engine = "node_driven";
@@ -46,10 +54,6 @@ struct GrowOptions {
   std::vector<std::string> out;  ///< .obj or .glb files
   bool split = false;            ///< meshes of at most 65,536 vertices
   std::string picture;           ///< .png of the plant or .svg of the skeleton; empty: none
-  double azimuth_deg = 90.0;
-  double elevation_deg = 8.0;
-  double distance = 0.0;  ///< 0: the whole plant fits
-  int picture_height = 800;
   bool example = false;
   bool json = false;
 };
@@ -126,7 +130,7 @@ struct LSystemRaceOptions {
 };
 int race_lsystem(const LSystemRaceOptions& options);
 
-struct PlantBuildOptions {
+struct PlantBuildOptions : CameraOptions {
   std::string graph;                  ///< file of components
   std::string preset;                 ///< instead of a file
   std::string time;                   ///< "T" or "FIRST:LAST:FRAMES"; empty: as the file says
@@ -135,13 +139,9 @@ struct PlantBuildOptions {
   std::vector<std::string> out;       ///< .obj or .glb files
   bool split = false;                 ///< meshes of at most 65,536 vertices
   std::string picture;                ///< .png; empty: none
-  double azimuth_deg = 90.0;
-  double elevation_deg = 8.0;
-  double distance = 0.0;  ///< 0: the whole plant fits
-  int picture_height = 800;
-  int threads = 1;      ///< of pictures
-  std::string tree;     ///< list or dot: prints the i-tree instead; empty: no
-  std::string example;  ///< kind of component to explain, or list; empty: none
+  int threads = 1;                    ///< of pictures
+  std::string tree;                   ///< list or dot: prints the i-tree instead; empty: no
+  std::string example;                ///< kind of component to explain, or list; empty: none
   bool json = false;
 };
 int build(const PlantBuildOptions& options);

@@ -77,17 +77,9 @@ bool report_iteration(const PassStatistics& pass) {
   return !is_interrupted();
 }
 
-PlantView view_of(const GrowOptions& options) {
-  return {.azimuth_deg = options.azimuth_deg,
-          .elevation_deg = options.elevation_deg,
-          .distance = options.distance,
-          .height = options.picture_height,
-          .threads = options.threads};
-}
-
 /// Refuses what cannot work before anything has grown.
 void check_options(const GrowOptions& options) {
-  refuse_odd_view(view_of(options));
+  refuse_odd_view(view_of(options, options.threads));
   refuse_other_models(options.out);
   const std::string picture = extension_of(options.picture);
   if (!options.picture.empty() && picture != ".svg" && picture != ".png")
@@ -105,7 +97,8 @@ std::vector<FileContent> make_files(const GrowOptions& options, const Skeleton& 
   if (extension_of(options.picture) == ".svg")
     files.push_back({options.picture, skeleton_svg(grown, "Tree grown from " + options.config)});
   if (extension_of(options.picture) == ".png")
-    files.push_back({options.picture, plant_picture(objects, box_of(objects), view_of(options))});
+    files.push_back({options.picture,
+                     plant_picture(objects, box_of(objects), view_of(options, options.threads))});
   if (options.split) objects = split_objects(std::move(objects));
   for (FileContent& file : plant_models(objects, options.out)) files.push_back(std::move(file));
   return files;

@@ -18,6 +18,16 @@ namespace phytobench::cli {
 
 namespace fs = std::filesystem;
 
+PlantView view_of(const CameraOptions& camera, int threads) {
+  PlantView view;
+  view.azimuth_deg = camera.azimuth_deg;
+  view.elevation_deg = camera.elevation_deg;
+  view.distance = camera.distance;
+  view.height = camera.picture_height;
+  view.threads = threads;
+  return view;
+}
+
 void refuse_odd_view(const PlantView& view) {
   const std::pair<const char*, double> numbers[] = {{"--azimuth", view.azimuth_deg},
                                                     {"--elevation", view.elevation_deg},

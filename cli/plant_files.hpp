@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/commands.hpp"
 #include "core/contract/text_file.hpp"
 #include "core/geometry/bounding_box.hpp"
 #include "core/tree/scene_object.hpp"
@@ -20,6 +21,9 @@ struct PlantView {
   int height = 800;            ///< pixels
   int threads = 1;             ///< never change the picture
 };
+
+/// What the user asks for.
+PlantView view_of(const CameraOptions& camera, int threads);
 
 /// InputError for angles and a distance that are no numbers: the command line lets "nan" pass.
 void refuse_odd_view(const PlantView& view);

@@ -8,12 +8,12 @@
 #include "benchmarks/competition/step_race.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_values.hpp"
+#include "cli/race_document.hpp"
 #include "cli/race_numbers.hpp"
 #include "cli/terminal.hpp"
 #include "core/competition/competition_registry.hpp"
 #include "core/contract/errors.hpp"
 #include "core/memory/keep_freed_memory.hpp"
-#include "core/record/environment.hpp"
 #include "core/statistics/order_statistics.hpp"
 #include "core/statistics/power_law.hpp"
 
@@ -104,14 +104,10 @@ const StepEntry* on_one_thread(const SizeResult& size, const StepEntry& entry) {
 
 ordered_json document(const std::vector<SizeResult>& results,
                       const CompetitionRaceOptions& options) {
-  ordered_json json;
-  json["schema"] = "phytobench/race-1";
-  json["workload"] = {{"name", "one step of plants of two sizes on a torus"},
-                      {"plants", ordered_json::array()},
-                      {"pairs_per_plant", options.pairs},
-                      {"seed", options.seed}};
-  json["engines"] = ordered_json::array();
-  json["ratios"] = ordered_json::array();
+  ordered_json json = race_document({{"name", "one step of plants of two sizes on a torus"},
+                                     {"plants", ordered_json::array()},
+                                     {"pairs_per_plant", options.pairs},
+                                     {"seed", options.seed}});
   json["exponents"] = ordered_json::array();
   for (const SizeResult& size : results) {
     json["workload"]["plants"].push_back(size.plants);
@@ -136,8 +132,7 @@ ordered_json document(const std::vector<SizeResult>& results,
     exponent["threads"] = results.front().entries[e].threads;
     json["exponents"].push_back(exponent);
   }
-  json["environment"] = ordered_json::parse(
-      environment_json(options.command_line, options.seed, options.threads.front()));
+  put_environment(json, options.command_line, options.seed, options.threads);
   return json;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include "benchmarks/point_pattern/hopkins_race.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_values.hpp"
+#include "cli/race_document.hpp"
 #include "cli/race_numbers.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
@@ -15,7 +17,6 @@
 #include "core/point_pattern/cluster_patterns.hpp"
 #include "core/point_pattern/random_patterns.hpp"
 #include "core/random/counter_stream.hpp"
-#include "core/record/environment.hpp"
 #include "core/statistics/order_statistics.hpp"
 
 namespace phytobench::cli {
@@ -53,14 +54,10 @@ const HopkinsWay* fastest_of(const std::vector<HopkinsWay>& ways) {
 
 ordered_json document(const std::vector<HopkinsWay>& ways, std::size_t points,
                       const HopkinsRaceOptions& options) {
-  ordered_json json;
-  json["schema"] = "phytobench/race-1";
-  json["workload"] = {{"name", options.pattern + " points in a square"},
-                      {"points", points},
-                      {"sampled_places", points},
-                      {"seed", options.seed}};
-  json["engines"] = ordered_json::array();
-  json["ratios"] = ordered_json::array();
+  ordered_json json = race_document({{"name", options.pattern + " points in a square"},
+                                     {"points", points},
+                                     {"sampled_places", points},
+                                     {"seed", options.seed}});
   const HopkinsWay* const fastest = fastest_of(ways);
   for (const HopkinsWay& way : ways) {
     ordered_json entry{{"name", way.name},
@@ -80,8 +77,7 @@ ordered_json document(const std::vector<HopkinsWay>& ways, std::size_t points,
     json["ratios"].push_back(
         ratio_json(way.name, fastest->name, ratio_of_rounds(way.seconds, fastest->seconds)));
   }
-  json["environment"] =
-      ordered_json::parse(environment_json(options.command_line, options.seed, options.threads));
+  put_environment(json, options.command_line, options.seed, std::array{options.threads});
   return json;
 }
 

@@ -31,11 +31,11 @@ std::vector<LSystemWorkload> chosen_workloads(const LSystemRaceOptions& options)
     throw InputError("--segments and --modules are numbers, such as 1e7");
   std::vector<LSystemWorkload> chosen;
   for (const std::string& name : options.systems) {
-    if (name != "all") {
+    if (name != "all" && name != "published") {
       chosen.push_back(lsystem_workload(name, options.segments));
       continue;
     }
-    for (const BenchSystem& system : bench_systems())
+    for (const BenchSystem& system : name == "all" ? bench_systems() : published_systems())
       chosen.push_back(lsystem_workload(std::string(system.name), options.segments));
   }
   return chosen;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-
 #include <nlohmann/json.hpp>
 
+#include "cli/race_document.hpp"
 #include "cli/race_lsystem_output.hpp"
 #include "cli/race_numbers.hpp"
-#include "core/record/environment.hpp"
 
 namespace phytobench::cli {
 
@@ -87,14 +85,11 @@ ordered_json derivation_json(const DerivationEntry& entry) {
 
 ordered_json lsystem_document(const LSystemRaceResults& results,
                               const LSystemRaceOptions& options) {
-  ordered_json json;
-  json["schema"] = "phytobench/race-1";
-  json["workload"] = {{"name", "L-systems without parameters, derived and drawn"},
-                      {"most_segments", options.segments},
-                      {"seed", options.seed},
-                      {"systems", ordered_json::array()}};
-  for (const char* part : {"engines", "ratios", "means", "derivations"})
-    json[part] = ordered_json::array();
+  ordered_json json = race_document({{"name", "L-systems without parameters, derived and drawn"},
+                                     {"most_segments", options.segments},
+                                     {"seed", options.seed},
+                                     {"systems", ordered_json::array()}});
+  for (const char* part : {"means", "derivations"}) json[part] = ordered_json::array();
   for (std::size_t s = 0; s < results.drawings.size(); ++s) {
     const DrawingRaceResult& result = results.drawings[s];
     json["workload"]["systems"].push_back(system_json(results.workloads[s], result));
@@ -119,9 +114,7 @@ ordered_json lsystem_document(const LSystemRaceResults& results,
   }
   for (const DerivationEntry& entry : results.derivations)
     json["derivations"].push_back(derivation_json(entry));
-  json["environment"] = ordered_json::parse(
-      environment_json(options.command_line, options.seed,
-                       *std::max_element(options.threads.begin(), options.threads.end())));
+  put_environment(json, options.command_line, options.seed, options.threads);
   return json;
 }
 

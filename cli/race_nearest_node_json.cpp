@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-
 #include <nlohmann/json.hpp>
 
 #include "cli/race_approximate.hpp"
+#include "cli/race_document.hpp"
 #include "cli/race_nearest_node_numbers.hpp"
 #include "cli/race_nearest_node_output.hpp"
 #include "cli/race_numbers.hpp"
-#include "core/record/environment.hpp"
 
 namespace phytobench::cli {
 
@@ -116,23 +114,17 @@ ordered_json entry_json(const RaceEntry& entry, const RaceResult& result,
 
 ordered_json document(const NearestNodeRaceOutcome& outcome) {
   const auto& [options, workload, result, approximate, plugins] = outcome;
-  ordered_json json;
-  json["schema"] = "phytobench/race-1";
-  json["workload"] = workload_json(workload, result);
-  json["engines"] = ordered_json::array();
+  ordered_json json = race_document(workload_json(workload, result));
   for (const RaceEntry& entry : result.entries)
     json["engines"].push_back(entry_json(entry, result, raced_plugin(plugins, entry.engine->name)));
   for (const TriedPlugin& plugin : plugins)
     if (!plugin.is_raced()) json["engines"].push_back(failed_json(plugin));
-  json["ratios"] = ordered_json::array();
   const auto ranked = ranking(result);
   for (std::size_t i = 1; i < ranked.size(); ++i)
     json["ratios"].push_back(
         ratio_json(ranked[i]->name(), ranked[0]->name(), ratio_of(*ranked[i], *ranked[0])));
   json["approximate"] = approximate_json(approximate, options.threads.front());
-  json["environment"] = ordered_json::parse(
-      environment_json(options.command_line, workload.seed,
-                       *std::max_element(options.threads.begin(), options.threads.end())));
+  put_environment(json, options.command_line, workload.seed, options.threads);
   return json;
 }
 

@@ -8,13 +8,13 @@
 #include "benchmarks/overlap/overlap_race.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_values.hpp"
+#include "cli/race_document.hpp"
 #include "cli/race_numbers.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
 #include "core/memory/keep_freed_memory.hpp"
 #include "core/overlap/discs_file.hpp"
 #include "core/overlap/overlap_registry.hpp"
-#include "core/record/environment.hpp"
 #include "core/statistics/order_statistics.hpp"
 
 namespace phytobench::cli {
@@ -122,18 +122,14 @@ ordered_json entry_json(const OverlapEntry& entry) {
 
 ordered_json document(const OverlapWorkload& workload, const OverlapRaceResult& result,
                       const OverlapRaceOptions& options) {
-  ordered_json json;
-  json["schema"] = "phytobench/race-1";
-  json["workload"] = {{"name", workload.name},
-                      {"discs", workload.x.size()},
-                      {"pairs", result.pairs},
-                      {"torus", workload.ground.torus.has_value()},
-                      {"seed", workload.seed},
-                      {"judge", result.judge},
-                      {"largest_area_error", result.largest_area_error}};
-  json["engines"] = ordered_json::array();
+  ordered_json json = race_document({{"name", workload.name},
+                                     {"discs", workload.x.size()},
+                                     {"pairs", result.pairs},
+                                     {"torus", workload.ground.torus.has_value()},
+                                     {"seed", workload.seed},
+                                     {"judge", result.judge},
+                                     {"largest_area_error", result.largest_area_error}});
   for (const OverlapEntry& entry : result.entries) json["engines"].push_back(entry_json(entry));
-  json["ratios"] = ordered_json::array();
   const auto ranked = ranking(result);
   for (std::size_t i = 1; i < ranked.size(); ++i)
     json["ratios"].push_back(ratio_json(ranked[i]->name(), ranked[0]->name(),
@@ -148,9 +144,7 @@ ordered_json document(const OverlapWorkload& workload, const OverlapRaceResult& 
           ratio_json("lens " + lens.name, "lens vector",
                      ratio_of_rounds(lens.seconds, result.lens.back().seconds)));
   }
-  json["environment"] = ordered_json::parse(
-      environment_json(options.command_line, workload.seed,
-                       *std::max_element(options.threads.begin(), options.threads.end())));
+  put_environment(json, options.command_line, workload.seed, options.threads);
   return json;
 }
 

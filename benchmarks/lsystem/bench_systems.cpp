@@ -72,13 +72,20 @@ std::optional<Counts> counts_after(const LSystem& system, const oracles::D0LStru
   return Counts{*segments, *modules};
 }
 
+std::vector<BenchSystem> known_systems() {
+  std::vector<BenchSystem> known(systems.begin(), systems.end());
+  known.insert(known.end(), published_systems().begin(), published_systems().end());
+  return known;
+}
+
 LSystem system_named(const std::string& name) {
-  for (const BenchSystem& system : systems)
+  std::vector<std::string> known;
+  for (const BenchSystem& system : known_systems()) {
     if (system.name == name) return parse_lsystem(system.text, name);
+    known.emplace_back(system.name);
+  }
   std::error_code unreadable;
   if (std::filesystem::exists(name, unreadable)) return read_lsystem(name);
-  std::vector<std::string> known;
-  for (const BenchSystem& system : systems) known.emplace_back(system.name);
   throw InputError("'" + name + "' is no file and no system to race" + did_you_mean(name, known) +
                    "; known: " + known_bench_system_names());
 }
@@ -91,7 +98,7 @@ std::span<const BenchSystem> bench_systems() {
 
 std::string known_bench_system_names() {
   std::string names;
-  for (const BenchSystem& system : systems)
+  for (const BenchSystem& system : known_systems())
     names += (names.empty() ? "" : ", ") + std::string(system.name);
   return names;
 }

@@ -6,26 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "core/lsystem/word.hpp"
+#include "benchmarks/lsystem/derivation_case.hpp"
 
 namespace phytobench {
 
-/// A derivation, and what its word must be.
-struct DerivationCase {
-  std::string name;
-  LSystem system;
-  int steps = 0;
-  /// The words on the way are made, too. derive() passes over them where it can: without
-  /// parameters, if nobody asks for them.
-  bool every_word = true;
-  std::function<std::string(const Word&)> objection;  ///< to the last word; empty if it is right
-};
-
-/// The tree of [Liebemann2017] eq. 2.17 (parametric), the bush of [Brzoska2019] eq. 7 (without
-/// parameters, in space; every word, and the last alone), each with as many steps as keep the word
-/// within `most_modules`, up to 13 and 12; and a row of so many modules, at most a million, in
-/// which each takes the mean of itself and its neighbours (parametric, context on both sides) ten
-/// times.
+/// The tree of [Liebemann2017] eq. 2.17 with 8 to 13 derivations, the bush of [Brzoska2019] eq. 7
+/// with 7 to 12 and the plant of its eq. 6 with 7 to 11 (every word, and the last alone), each as
+/// far as the word keeps within `most_modules` (bush and plant go down to 5 for that); and a row of
+/// so many modules, at most a million, with contexts on both sides, ten times.
 std::vector<DerivationCase> derivation_cases(std::uint64_t most_modules);
 
 struct DerivationEntry {

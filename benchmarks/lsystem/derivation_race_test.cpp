@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/lsystem/derivation_race.hpp"
 
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "core/contract/errors.hpp"
 #include "core/lsystem/derive.hpp"
+#include "reference/oracles/lsystem_closed_forms.hpp"
 
 namespace phytobench {
 namespace {
@@ -12,11 +15,11 @@ namespace {
 TEST(DerivationRace, TimesWhatIsRight) {
   DerivationRaceRequest request;
   request.cases = derivation_cases(60'000);
-  ASSERT_EQ(request.cases.size(), 4u);
+  ASSERT_EQ(request.cases.size(), 6u);
   request.threads = {1, 2};
   request.rounds = 2;
   const std::vector<DerivationEntry> entries = race_derivations(request);
-  ASSERT_EQ(entries.size(), 8u);
+  ASSERT_EQ(entries.size(), 12u);
   for (const DerivationEntry& entry : entries) {
     EXPECT_EQ(entry.objection, "") << entry.name;
     EXPECT_EQ(entry.seconds.size(), 2u) << entry.name;
@@ -26,7 +29,29 @@ TEST(DerivationRace, TimesWhatIsRight) {
   EXPECT_EQ(entries[0].modules, 55'762u);  // [Liebemann2017] fig. 2.6
   EXPECT_GT(entries[2].modules_made, entries[2].modules);
   EXPECT_EQ(entries[4].modules_made, entries[4].modules);  // the words before are passed over
-  EXPECT_EQ(entries[6].modules_made, 600'000u);
+  EXPECT_EQ(entries[6].name, "plant, every word");
+  EXPECT_EQ(entries[10].modules_made, 600'000u);
+}
+
+/// The numbers of the works, or their closed forms: eq. 2.17 from figure 2.6 on, eq. 7 with seven
+/// steps, eq. 6 with figure 14's seven.
+TEST(DerivationRace, HasEveryNumberOfSteps) {
+  std::vector<std::pair<std::string, int>> found;
+  for (const DerivationCase& one : derivation_cases(60'000'000))
+    found.emplace_back(one.name, one.steps);
+  std::vector<std::pair<std::string, int>> expected;
+  for (int n = 8; n <= 13; ++n) expected.emplace_back("tree, parametric", n);
+  for (const char* words : {"every word", "last word alone"})
+    for (int n = 7; n <= 12; ++n) expected.emplace_back(std::string("bush, ") + words, n);
+  for (const char* words : {"every word", "last word alone"})
+    for (int n = 7; n <= 11; ++n) expected.emplace_back(std::string("plant, ") + words, n);
+  expected.emplace_back("row, parametric, contexts", 10);
+  EXPECT_EQ(found, expected);
+  EXPECT_EQ(modules_by_matrix(tree_derivation(8).system, 8), 55'762u);
+  EXPECT_EQ(modules_by_matrix(bush_derivation(7, true).system, 7), 77'399u);
+  EXPECT_EQ(modules_by_matrix(plant_derivation(7, true).system, 7), 187'834u);
+  EXPECT_EQ(modules_by_matrix(plant_derivation(7, true).system, 11),
+            oracles::equation_6_letters(11));
 }
 
 /// Every check of a word sees a word that is a step short, and one with another number.

@@ -80,7 +80,8 @@ class Race {
   DrawingDigest digest_of(DrawingEntry& entry) {
     DrawingDigest digest;
     if (entry.lane == DrawingLane::stream) {
-      entry.bytes_held = draw(entry, [&](std::span<const Segment> block) { digest.add(block); });
+      entry.bytes_held =
+          draw(entry, [&](std::span<const Segment> block) { digest.add(block); }).bytes_held;
     } else {
       array_.resize_for_overwrite(workload_.segments);
       std::memset(static_cast<void*>(array_.data()), 0xff, array_.size() * sizeof(Segment));
@@ -93,7 +94,7 @@ class Race {
     return digest;
   }
 
-  std::uint64_t draw(const DrawingEntry& entry, const SegmentSink<Segment>& sink) const {
+  DrawingWork draw(const DrawingEntry& entry, const SegmentSink<Segment>& sink) const {
     constexpr Segment* kind = nullptr;
     return draw_function(*entry.engine, kind)(workload_.system, workload_.steps, entry.threads,
                                               sink);
@@ -104,15 +105,16 @@ class Race {
     constexpr Segment* kind = nullptr;
     const std::span<Segment> out(array_.data(), array_.size());
     if (const auto function = write_function(*entry.engine, kind)) {
-      entry.bytes_held = function(workload_.system, workload_.steps, entry.threads, out);
+      entry.bytes_held = function(workload_.system, workload_.steps, entry.threads, out).bytes_held;
       return out.size();
     }
     std::uint64_t count = 0;
-    entry.bytes_held = draw(entry, [&](std::span<const Segment> block) {
+    const DrawingWork work = draw(entry, [&](std::span<const Segment> block) {
       if (count + block.size() <= out.size())
         std::copy(block.begin(), block.end(), out.begin() + static_cast<std::ptrdiff_t>(count));
       count += block.size();
     });
+    entry.bytes_held = work.bytes_held;
     return count;
   }
 

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/lsystem/lsystem_race.hpp"
 
+#include <algorithm>
+#include <map>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "benchmarks/lsystem/drawing_judge.hpp"
 #include "core/contract/errors.hpp"
+#include "reference/oracles/lsystem_closed_forms.hpp"
 
 namespace phytobench {
 namespace {
@@ -17,8 +22,8 @@ using State = DrawingEntry::State;
 using Change = void (*)(std::uint64_t place, PlanarSegment& segment);
 
 template <Change change>
-std::uint64_t draw_changed(const LSystem& system, int steps, int /*threads*/,
-                           const SegmentSink<PlanarSegment>& sink) {
+DrawingWork draw_changed(const LSystem& system, int steps, int /*threads*/,
+                         const SegmentSink<PlanarSegment>& sink) {
   std::uint64_t place = 0;
   std::vector<PlanarSegment> copy;
   SegmentStream(system, steps)
@@ -27,7 +32,7 @@ std::uint64_t draw_changed(const LSystem& system, int steps, int /*threads*/,
         for (PlanarSegment& segment : copy) change(place++, segment);
         sink(copy);
       }));
-  return 0;
+  return {};
 }
 
 constexpr std::uint64_t in_the_middle = 100'000;
@@ -46,8 +51,8 @@ void make_no_number(std::uint64_t place, PlanarSegment& segment) {
   if (place == in_the_middle) segment.from_y = std::numeric_limits<double>::quiet_NaN();
 }
 
-std::uint64_t draw_swapped(const LSystem& system, int steps, int /*threads*/,
-                           const SegmentSink<PlanarSegment>& sink) {
+DrawingWork draw_swapped(const LSystem& system, int steps, int /*threads*/,
+                         const SegmentSink<PlanarSegment>& sink) {
   std::vector<PlanarSegment> all;
   SegmentStream(system, steps)
       .stream(SegmentSink<PlanarSegment>([&](std::span<const PlanarSegment> block) {
@@ -55,27 +60,27 @@ std::uint64_t draw_swapped(const LSystem& system, int steps, int /*threads*/,
       }));
   std::swap(all[in_the_middle], all[in_the_middle + 1]);
   sink(all);
-  return 0;
+  return {};
 }
 
-std::uint64_t draw_less(const LSystem& system, int steps, int /*threads*/,
-                        const SegmentSink<PlanarSegment>& sink) {
+DrawingWork draw_less(const LSystem& system, int steps, int /*threads*/,
+                      const SegmentSink<PlanarSegment>& sink) {
   SegmentStream(system, steps)
       .stream(SegmentSink<PlanarSegment>(
           [&](std::span<const PlanarSegment> block) { sink(block.first(block.size() - 1)); }));
-  return 0;
+  return {};
 }
 
-std::uint64_t draw_nothing(const LSystem&, int, int, const SegmentSink<SpatialSegment>&) {
-  return 0;
+DrawingWork draw_nothing(const LSystem&, int, int, const SegmentSink<SpatialSegment>&) {
+  return {};
 }
 std::string no_objection(const LSystem&) {
   return "";
 }
 
 DerivationEngine faulty(std::string_view name,
-                        std::uint64_t (*draw)(const LSystem&, int, int,
-                                              const SegmentSink<PlanarSegment>&)) {
+                        DrawingWork (*draw)(const LSystem&, int, int,
+                                            const SegmentSink<PlanarSegment>&)) {
   DerivationEngine engine;
   engine.name = name;
   engine.objection = no_objection;
@@ -142,7 +147,7 @@ TEST(LSystemRace, SaysWhyAnEngineIsLeftOut) {
   picky.objection = [](const LSystem&) { return std::string("does not like it"); };
   DerivationEngine helpless = faulty("helpless", draw_less);
   helpless.draw_planar = [](const LSystem&, int, int,
-                            const SegmentSink<PlanarSegment>&) -> std::uint64_t {
+                            const SegmentSink<PlanarSegment>&) -> DrawingWork {
     throw InputError("too long a word");
   };
   const DerivationEngine missing{.name = "missing", .missing_package = "package"};
@@ -160,6 +165,41 @@ TEST(LSystemRace, StopsWhenAsked) {
   request.contestants = drawing_contestants(everyone(), {1});
   request.is_interrupted = [] { return true; };
   EXPECT_THROW(race_drawings(request), Interrupted);
+}
+
+/// With 2e8 segments at most they are what was timed: 50 to 168 million. Each number from the
+/// productions by hand.
+TEST(LSystemWorkload, PublishedSystemsAreAsLargeAsWhereTheyWerePublished) {
+  const auto power = oracles::whole_power;
+  const std::map<std::string, std::uint64_t> segments = {
+      {"sierpinski_arrowhead", power(3, 17)},
+      {"sierpinski_triangle", power(3, 17)},
+      {"dragon_every_letter", power(2, 27)},
+      {"barnsley_fern", power(4, 13) + 3 * (power(4, 13) - power(2, 13)) / 2},
+      {"sticks", 2 * (power(3, 16) - power(2, 16))},
+      {"hilbert", power(4, 13) - 1},
+      {"pentaplexity", 5 * power(6, 9)},
+  };
+  ASSERT_EQ(published_systems().size(), segments.size());
+  std::uint64_t least = ~std::uint64_t{0}, most = 0;
+  for (const BenchSystem& system : published_systems()) {
+    const LSystemWorkload workload = lsystem_workload(std::string(system.name), 2e8);
+    EXPECT_EQ(workload.steps, system.published_steps) << system.name;
+    EXPECT_EQ(workload.segments, segments.at(workload.name)) << system.name;
+    least = std::min(least, workload.segments);
+    most = std::max(most, workload.segments);
+  }
+  EXPECT_EQ(least, 50'388'480u);
+  EXPECT_EQ(most, 167'759'872u);
+}
+
+TEST(LSystemRace, TimesThePublishedSystemsToo) {
+  for (const BenchSystem& system : published_systems()) {
+    const LSystemWorkload workload = lsystem_workload(std::string(system.name), 20'000);
+    for (const DrawingEntry& entry : raced(workload, everyone()).entries)
+      EXPECT_EQ(entry.state, State::timed)
+          << system.name << " " << entry.engine->name << ": " << entry.objection;
+  }
 }
 
 TEST(LSystemWorkload, HasAsManySegmentsAsAskedForAtMost) {

@@ -7,6 +7,26 @@
 
 namespace phytobench::cli {
 
+namespace {
+
+void add_camera(CLI::App& sub, CameraOptions& options) {
+  sub.add_option("--azimuth", options.azimuth_deg, "Picture from this side, degrees; 0 is +x")
+      ->capture_default_str()
+      ->check(CLI::Range(-3600.0, 3600.0));
+  sub.add_option("--elevation", options.elevation_deg, "From this height, degrees above level")
+      ->capture_default_str()
+      ->check(CLI::Range(-90.0, 90.0));
+  sub.add_option("--distance", options.distance,
+                 "From this far, in the plant's unit; 0: the whole plant fits")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e9));
+  sub.add_option("--picture-height", options.picture_height, "Pixels")
+      ->capture_default_str()
+      ->check(CLI::Range(16, 8192));
+}
+
+}  // namespace
+
 void add_grow(CLI::App& app, Commands& commands) {
   GrowOptions& options = commands.grow;
   CLI::App* sub = app.add_subcommand("grow", "Grow a tree from a parameter file");
@@ -25,19 +45,7 @@ void add_grow(CLI::App& app, Commands& commands) {
   sub->add_flag("--split", options.split, "Meshes of at most 65536 vertices each");
   sub->add_option("--picture", options.picture,
                   "Write a picture: .png of the plant, .svg of the bare skeleton");
-  sub->add_option("--azimuth", options.azimuth_deg, "Picture from this side, degrees; 0 is +x")
-      ->capture_default_str()
-      ->check(CLI::Range(-3600.0, 3600.0));
-  sub->add_option("--elevation", options.elevation_deg, "From this height, degrees above level")
-      ->capture_default_str()
-      ->check(CLI::Range(-90.0, 90.0));
-  sub->add_option("--distance", options.distance,
-                  "From this far, in the plant's unit; 0: the whole plant fits")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1e9));
-  sub->add_option("--picture-height", options.picture_height, "Pixels")
-      ->capture_default_str()
-      ->check(CLI::Range(16, 8192));
+  add_camera(*sub, options);
   sub->add_flag("--example", options.example, "Print a parameter file with every key explained");
   sub->add_flag("--json", options.json, "One JSON document");
   sub->callback([&] { commands.chosen = [&] { return grow(commands.grow); }; });
@@ -82,19 +90,7 @@ void add_build(CLI::App& app, Commands& commands) {
       ->delimiter(',');
   sub->add_flag("--split", options.split, "Meshes of at most 65536 vertices each");
   sub->add_option("--picture", options.picture, "Write a .png picture");
-  sub->add_option("--azimuth", options.azimuth_deg, "Picture from this side, degrees; 0 is +x")
-      ->capture_default_str()
-      ->check(CLI::Range(-3600.0, 3600.0));
-  sub->add_option("--elevation", options.elevation_deg, "From this height, degrees above level")
-      ->capture_default_str()
-      ->check(CLI::Range(-90.0, 90.0));
-  sub->add_option("--distance", options.distance,
-                  "From this far, in the plant's unit; 0: the whole plant fits")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1e9));
-  sub->add_option("--picture-height", options.picture_height, "Pixels")
-      ->capture_default_str()
-      ->check(CLI::Range(16, 8192));
+  add_camera(*sub, options);
   sub->add_option("--threads", options.threads, "Of pictures; never change them")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));

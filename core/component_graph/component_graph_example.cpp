@@ -27,7 +27,9 @@ constexpr std::string_view introduction =
     "# {1}\n"
     "[component.my_{0}]\n"
     "kind = \"{0}\"\n"
-    "# How many of it may lie on one way from the root, if links lead back to it.\n"
+    "# How many of it may lie on one way from the root, if links lead back to it; all loops "
+    "through it\n"
+    "# share them, so that an inner loop does not start anew in each turn of an outer one.\n"
     "# most_recursions = 3\n";
 
 constexpr std::string_view something_below =

@@ -146,16 +146,16 @@ class NumberReader {
   bool has_function_ = false;
 };
 
-std::vector<double> read_list(const TomlValue& value, const NumberList& kind) {
+GivenNumbers read_list(const TomlValue& value, const NumberList& kind) {
   const toml::array* array = value.node.as_array();
   if (array == nullptr || array->size() < kind.fewest || array->size() > kind.most)
     value.fail(
         fmt::format("{} must be {} to {} numbers in [...]", value.name, kind.fewest, kind.most));
   const NumberRange range = finite(kind.range);
-  std::vector<double> numbers;
+  GivenNumbers given{{}, where(value)};
   for (const toml::node& node : *array)
-    numbers.push_back(read_number({value.file, value.name, node}, range));
-  return numbers;
+    given.numbers.push_back(read_number({value.file, value.name, node}, range));
+  return given;
 }
 
 Colour read_colour(const TomlValue& value) {

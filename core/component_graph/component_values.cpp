@@ -58,9 +58,14 @@ Colour ComponentValues::colour(std::size_t key) const {
 }
 
 std::span<const double> ComponentValues::list(std::size_t key) const {
-  const auto* numbers = std::get_if<std::vector<double>>(&settings_[key]);
-  if (numbers != nullptr) return *numbers;
+  const auto* given = std::get_if<GivenNumbers>(&settings_[key]);
+  if (given != nullptr) return given->numbers;
   return std::get<NumberList>(keys_[key].kind).default_numbers;
+}
+
+std::string ComponentValues::place_of_list(std::size_t key) const {
+  const auto* given = std::get_if<GivenNumbers>(&settings_[key]);
+  return given != nullptr ? given->where : std::string(keys_[key].name);
 }
 
 std::shared_ptr<const VectorField> ComponentValues::field(std::size_t key) const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/component_graph/component_key.hpp"
@@ -15,10 +16,20 @@
 
 namespace phytobench {
 
+/// A list of numbers, and where it was given, for messages: "file:12: box.moves". Two are equal
+/// where their numbers are.
+struct GivenNumbers {
+  std::vector<double> numbers;
+  std::string where;
+  friend bool operator==(const GivenNumbers& a, const GivenNumbers& b) {
+    return a.numbers == b.numbers;
+  }
+};
+
 /// What a prototype has set for one key; monostate: the default of the key. Word choices are kept
 /// as the position of the word.
 using ComponentSetting = std::variant<std::monostate, ParameterRange, std::size_t, Colour,
-                                      std::vector<double>, std::shared_ptr<const VectorField>>;
+                                      GivenNumbers, std::shared_ptr<const VectorField>>;
 
 /// The values of one instance: the settings of its prototype, resolved for its place in the tree
 /// and the time. `key` is the position in the kind's list of keys. Cheap to make and to copy.
@@ -39,6 +50,8 @@ class ComponentValues {
   std::size_t choice(std::size_t key) const;
   Colour colour(std::size_t key) const;
   std::span<const double> list(std::size_t key) const;
+  /// Where the list was given, for messages that refuse it; the key's name if nowhere.
+  std::string place_of_list(std::size_t key) const;
   std::shared_ptr<const VectorField> field(std::size_t key) const;
 
  private:

@@ -122,13 +122,15 @@ TEST(InstanceTree, NothingBelowAMultiplierByZero) {
   EXPECT_EQ(counts_of(maker), (Counts{{"C", 1}, {"D", 0}}));
 }
 
-/// What the correction of the counter does not say: the inner loop does not start anew.
+/// What the correction of the counter does not say: the inner loop does not start anew. Ways are
+/// o i^a o i^b ... with at most three i, and at least one before each further o: for m of the o
+/// there are C(4, m), so 4 + 6 + 4 + 1. Anew in each turn they would be 4 (1 + 3 + 9 + 27).
 TEST(InstanceTree, ANestedRecursionSharesItsLimitAlongTheWay) {
   GraphMaker maker;
   maker.add("outer", plain, 4).add("inner", plain, 3);
   maker.link("outer", "inner").link("inner", "inner").link("inner", "outer");
-  // o i i i | o i i o i o | ...: every way has at most three inner ones.
   const InstanceTree tree = make_instance_tree(maker.graph());
+  EXPECT_EQ(tree.instances.size(), 15u);
   for (const Instance& instance : tree.instances)
     EXPECT_LE(instance.depth, instance.prototype == 0 ? 4u : 3u);
 }

@@ -25,8 +25,8 @@ ComponentSetting default_setting(const ComponentKey& key, std::size_t position,
           [](const ColourValue& kind) -> ComponentSetting {
             return parse_colour(kind.default_colour);
           },
-          [](const NumberList& kind) -> ComponentSetting {
-            return std::vector<double>(kind.default_numbers.begin(), kind.default_numbers.end());
+          [&](const NumberList& kind) -> ComponentSetting {
+            return GivenNumbers{{kind.default_numbers.begin(), kind.default_numbers.end()}, where};
           },
           [&](const FieldExpressions& kind) -> ComponentSetting {
             return std::make_shared<const VectorField>(

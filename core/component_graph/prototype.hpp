@@ -17,7 +17,9 @@ struct Prototype {
   /// One per key of the kind, in that order.
   std::vector<ComponentSetting> settings;
   /// How many of its instances may lie on one way from the root, >= 1. Absent: any number. (The
-  /// paper gives every component a limit but names no default.)
+  /// paper gives every component a limit but names no default.) The limit belongs to the component
+  /// and not to a loop, as the counter of sec. 3.1 does: all loops through it use it up together,
+  /// and an inner one does not start anew in each turn of the outer one.
   std::optional<std::uint32_t> most_recursions;
 };
 

@@ -31,10 +31,15 @@ Derivation::Derivation(const LSystem& system, const DeriveOptions& options)
 Word Derivation::run() {
   forecast();
   start();
-  if (table_.is_fixed() && !table_.is_parametric() && !options_.each_word) {
+  if (table_.is_fixed() && !table_.is_parametric() && !options_.each_word)
     run_composed();
-    return std::move(now_.word);
-  }
+  else
+    run_step_by_step();
+  if (options_.work != nullptr) *options_.work = work_;
+  return std::move(now_.word);
+}
+
+void Derivation::run_step_by_step() {
   for (int step = 1; step <= options_.steps; ++step) {
     ask_go_on(step);
     if (table_.is_fixed())
@@ -43,7 +48,6 @@ Word Derivation::run() {
       step_chosen(step);
     finish_step(step);
   }
-  return std::move(now_.word);
 }
 
 /// Refuses what would grow too long, and asks for all memory at once.

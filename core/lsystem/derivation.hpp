@@ -32,6 +32,7 @@ class Derivation {
     bool faulty = false;                        // a parameter is not finite
     const Production* unfit = nullptr;          // has a condition without a finite value
     std::size_t unfit_at = 0;
+    std::uint64_t productions_tried = 0;
   };
   /// A word that keeps its memory, with one more number behind its parameters, which is 0: where a
   /// symbol without parameters makes constants, they scale what comes next by 0.
@@ -45,6 +46,7 @@ class Derivation {
   void start();
   void finish_step(int step);
   void run_composed();
+  void run_step_by_step();
   void step_fixed(int step, const SymbolRun* runs, std::size_t block_modules);
   void step_chosen(int step);
 
@@ -54,6 +56,7 @@ class Derivation {
   void choose(Block& block, int step);
   void sum_old_parameters();
   void sum_new_lengths(int step);
+  void note_work(const WordLength& written);
   template <class Index>
   void write(std::size_t b, std::span<const Index> outcomes, const SymbolRun* runs, int step);
   ParameterSource source(int step, std::vector<double>& gathered) const;
@@ -77,6 +80,7 @@ class Derivation {
   Buffer now_, next_;
   std::vector<Block> blocks_;  // one more, whose sums are the totals
   ReusedMemory<OutcomeIndex> outcomes_;
+  DerivationWork work_;
 };
 
 }  // namespace phytobench

@@ -10,6 +10,15 @@
 
 namespace phytobench {
 
+/// What an engine needed for a drawing, independent of the machine.
+struct DrawingWork {
+  std::uint64_t bytes_held = 0;    ///< at once, at most, beside the segments
+  std::uint64_t modules_made = 0;  ///< of all words but the axiom; 0 where none is built
+  /// Drawings that were known and only moved, and what lies between them; only with
+  /// counts_inner_loop.
+  std::uint64_t parts_taken = 0;
+};
+
 /// One way to derive a system and to draw it. Interchangeable: every engine draws the same segments
 /// in the same order, up to the rounding of sums.
 struct DerivationEngine {
@@ -21,19 +30,18 @@ struct DerivationEngine {
   std::string_view missing_package = {};
   /// Empty if it can do the system, else why not.
   std::string (*objection)(const LSystem& system) = nullptr;
-  /// Hands over the segments, each call with few enough to stay in a cache; returns how many bytes
-  /// it held at once at most.
-  std::uint64_t (*draw)(const LSystem& system, int steps, int threads,
-                        const SegmentSink<SpatialSegment>& sink) = nullptr;
+  /// Hands over the segments, each call with few enough to stay in a cache.
+  DrawingWork (*draw)(const LSystem& system, int steps, int threads,
+                      const SegmentSink<SpatialSegment>& sink) = nullptr;
   /// Only for systems in the plane.
-  std::uint64_t (*draw_planar)(const LSystem& system, int steps, int threads,
-                               const SegmentSink<PlanarSegment>& sink) = nullptr;
-  /// Writes all of them, which are as many as `out` holds; returns what it held beside. Missing:
-  /// nothing is faster than to copy what draw and draw_planar hand over.
-  std::uint64_t (*write)(const LSystem& system, int steps, int threads,
-                         std::span<SpatialSegment> out) = nullptr;
-  std::uint64_t (*write_planar)(const LSystem& system, int steps, int threads,
-                                std::span<PlanarSegment> out) = nullptr;
+  DrawingWork (*draw_planar)(const LSystem& system, int steps, int threads,
+                             const SegmentSink<PlanarSegment>& sink) = nullptr;
+  /// Writes all of them, which are as many as `out` holds. Missing: nothing is faster than to copy
+  /// what draw and draw_planar hand over.
+  DrawingWork (*write)(const LSystem& system, int steps, int threads,
+                       std::span<SpatialSegment> out) = nullptr;
+  DrawingWork (*write_planar)(const LSystem& system, int steps, int threads,
+                              std::span<PlanarSegment> out) = nullptr;
 
   bool built() const { return draw != nullptr; }
 };

@@ -41,7 +41,7 @@ void Derivation::count_arities(Block& block) const {
 }
 
 void Derivation::choose(Block& block, int step) {
-  const ProductionChoice choice(table_, context_ ? &*context_ : nullptr, options_.seed, step);
+  ProductionChoice choice(table_, context_ ? &*context_ : nullptr, options_.seed, step);
   std::vector<double> gathered(table_.most_parameters() + 1);
   const SymbolIndex* const symbols = now_.word.symbols.data();
   const double* parameters = now_.word.parameters.data() + block.parameters_from;
@@ -60,6 +60,7 @@ void Derivation::choose(Block& block, int step) {
     block.parameters += table_.parameter_runs()[outcome].count;
     parameters += table_.arity(symbol);
   }
+  block.productions_tried = choice.productions_tried();
 }
 
 void Derivation::sum_old_parameters() {
@@ -75,6 +76,14 @@ void Derivation::sum_new_lengths(int step) {
   }
   refuse_if_longer(system_, sum, {options_.most_modules, options_.most_parameters}, step, step - 1);
   next_.resize(sum.modules, sum.parameters);
+  note_work(sum);
+}
+
+void Derivation::note_work(const WordLength& written) {
+  work_.modules_read += now_.word.size();
+  work_.modules_written += written.modules;
+  work_.parameters_written += written.parameters;
+  for (const Block& block : blocks_) work_.productions_tried += block.productions_tried;
 }
 
 template <class Index>

@@ -10,6 +10,15 @@
 
 namespace phytobench {
 
+/// Work of a derivation, independent of the machine, of threads and of blocks.
+struct DerivationWork {
+  std::uint64_t modules_read = 0;        ///< of all words that were replaced
+  std::uint64_t modules_written = 0;     ///< of all words that were made
+  std::uint64_t parameters_written = 0;  ///< the same
+  /// Productions looked at where more than the letter decides; only with counts_inner_loop.
+  std::uint64_t productions_tried = 0;
+};
+
 struct DeriveOptions {
   int steps = 0;                                ///< derivations, >= 0
   int threads = 1;                              ///< the word is the same for any number
@@ -20,6 +29,7 @@ struct DeriveOptions {
   std::function<bool(int step)> go_on = {};
   /// Called after each step, and with step 0 for the axiom; may be empty.
   std::function<void(int step, const Word& word)> each_word = {};
+  DerivationWork* work = nullptr;  ///< is told what was done; may be null
 };
 
 /// The axiom derived so many times. All modules are replaced at once; a module that no production

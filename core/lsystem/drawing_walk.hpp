@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/contract/work_counting.hpp"
 #include "core/lsystem/drawing_blocks.hpp"
 
 namespace phytobench {
@@ -30,6 +31,8 @@ class DrawingWalk {
 
   bool finished() const { return at_.next == at_.end && open_.empty(); }
   const State& state() const { return state_; }
+  /// Parts that it went through, kept drawings and all others; 0 unless counts_inner_loop.
+  std::uint64_t parts_taken() const { return parts_taken_.count(); }
 
   /// Calls each(entry, state) for kept drawings, until they have `enough` segments or all is done.
   /// Returns how many they had.
@@ -44,6 +47,7 @@ class DrawingWalk {
         continue;
       }
       const Index part = *at_.next++;
+      parts_taken_.add(1);
       if (part == SymbolDrawings::store) {
         stored_.push_back(state_);
       } else if (part == SymbolDrawings::restore) {
@@ -88,6 +92,7 @@ class DrawingWalk {
   Rest at_;
   std::vector<Rest> open_;
   std::vector<State> stored_;
+  InnerLoopCounter parts_taken_;
 };
 
 }  // namespace phytobench

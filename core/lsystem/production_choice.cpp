@@ -9,9 +9,10 @@
 namespace phytobench {
 
 OutcomeIndex ProductionChoice::outcome_of(const ModuleSite& site, double* gathered,
-                                          const Production*& unfit) const {
+                                          const Production*& unfit) {
   if (!table_->has_choice(site.symbol)) return site.symbol;
   for (const Candidate& candidate : table_->candidates(site.symbol)) {
+    tried_.add(1);
     const double* parameters = site.parameters;
     if (candidate.condition_sees_contexts) parameters = gathered;
     if (candidate.pattern != nullptr &&

@@ -52,24 +52,29 @@ class Streamer {
   std::size_t bytes() const { return kept_.blocks().bytes(); }
 
   template <class Segment>
-  void stream(const SegmentSink<Segment>& sink) const {
+  std::uint64_t stream(const SegmentSink<Segment>& sink) const {
     std::vector<Segment> buffer(sink_segments + most_segments);
     Walk walk = start();
     while (!walk.finished()) {
       Segment* const end = write(walk, sink_segments, buffer.data(), Stores::cached);
       if (end != buffer.data()) sink(std::span<const Segment>(buffer.data(), end));
     }
+    return walk.parts_taken();
   }
 
   template <class Segment>
-  void write(std::span<Segment> out, int threads) const {
+  std::uint64_t write(std::span<Segment> out, int threads) const {
     const Stores stores = out.size_bytes() > cached_bytes ? Stores::past_cache : Stores::cached;
-    const std::vector<Task> tasks = tasks_of(out.size(), threads);
+    std::vector<Task> tasks = tasks_of(out.size(), threads);
     for_tasks(tasks.size(), threads, [&](std::size_t i) {
       Walk walk = tasks[i].walk;
       write(walk, tasks[i].segments, out.data() + tasks[i].first, stores);
+      tasks[i].parts_taken = walk.parts_taken() - tasks[i].walk.parts_taken();
       if (stores == Stores::past_cache) finish_stores();
     });
+    std::uint64_t parts_taken = 0;
+    for (const Task& task : tasks) parts_taken += task.parts_taken;
+    return parts_taken;
   }
 
  private:
@@ -81,6 +86,7 @@ class Streamer {
     Walk walk;  ///< as far as where the task begins
     std::uint64_t first = 0;
     std::uint64_t segments = 0;
+    std::uint64_t parts_taken = 0;
   };
 
   Walk start() const {
@@ -90,13 +96,13 @@ class Streamer {
   /// Goes ahead as all tasks will, without writing, so that each starts with the same bits.
   std::vector<Task> tasks_of(std::uint64_t segments, int threads) const {
     constexpr std::uint64_t tasks_per_thread = 16;  // they take turns where some are slower
-    if (threads <= 1 || segments <= task_segments) return {{start(), 0, segments}};
+    if (threads <= 1 || segments <= task_segments) return {{start(), 0, segments, 0}};
     const auto parts = static_cast<std::uint64_t>(threads) * tasks_per_thread;
     const std::uint64_t enough = std::max(task_segments, segments / parts + 1);
     std::vector<Task> tasks;
     std::uint64_t first = 0;
     for (Walk walk = start(); !walk.finished();) {
-      tasks.push_back({walk, first, 0});
+      tasks.push_back({walk, first, 0, 0});
       tasks.back().segments = walk.run(enough, [](const Entry&, const State&) {});
       first += tasks.back().segments;
     }
@@ -178,29 +184,23 @@ std::size_t SegmentStream::block_bytes() const {
   return parts_->plane ? parts_->plane->bytes() : parts_->space->bytes();
 }
 
-void SegmentStream::stream(const SegmentSink<PlanarSegment>& sink) const {
+std::uint64_t SegmentStream::stream(const SegmentSink<PlanarSegment>& sink) const {
   PHYTOBENCH_EXPECT(planar());
-  parts_->plane->stream(sink);
+  return parts_->plane->stream(sink);
 }
 
-void SegmentStream::write(std::span<PlanarSegment> out, int threads) const {
+std::uint64_t SegmentStream::write(std::span<PlanarSegment> out, int threads) const {
   PHYTOBENCH_EXPECT(planar() && out.size() == segment_count());
-  parts_->plane->write(out, threads);
+  return parts_->plane->write(out, threads);
 }
 
-void SegmentStream::stream(const SegmentSink<SpatialSegment>& sink) const {
-  if (planar())
-    parts_->plane->stream(sink);
-  else
-    parts_->space->stream(sink);
+std::uint64_t SegmentStream::stream(const SegmentSink<SpatialSegment>& sink) const {
+  return planar() ? parts_->plane->stream(sink) : parts_->space->stream(sink);
 }
 
-void SegmentStream::write(std::span<SpatialSegment> out, int threads) const {
+std::uint64_t SegmentStream::write(std::span<SpatialSegment> out, int threads) const {
   PHYTOBENCH_EXPECT(out.size() == segment_count());
-  if (planar())
-    parts_->plane->write(out, threads);
-  else
-    parts_->space->write(out, threads);
+  return planar() ? parts_->plane->write(out, threads) : parts_->space->write(out, threads);
 }
 
 }  // namespace phytobench

@@ -46,13 +46,16 @@ class SegmentStream {
   std::uint64_t module_count() const;   ///< of the word that is not built; the same
   std::size_t block_bytes() const;      ///< of the drawings kept
 
+  /// All return the parts of drawings that they went through: kept drawings, and moves and turns
+  /// between them; 0 unless counts_inner_loop.
+  ///
   /// planar() only. A sink that throws ends it.
-  void stream(const SegmentSink<PlanarSegment>& sink) const;
+  std::uint64_t stream(const SegmentSink<PlanarSegment>& sink) const;
   /// `out` holds segment_count(). The same bits for any number of threads, and as stream().
-  void write(std::span<PlanarSegment> out, int threads) const;
+  std::uint64_t write(std::span<PlanarSegment> out, int threads) const;
   /// Any system; a planar one at z = 0.
-  void stream(const SegmentSink<SpatialSegment>& sink) const;
-  void write(std::span<SpatialSegment> out, int threads) const;
+  std::uint64_t stream(const SegmentSink<SpatialSegment>& sink) const;
+  std::uint64_t write(std::span<SpatialSegment> out, int threads) const;
 
  private:
   struct Parts;

@@ -3,12 +3,9 @@
 
 #include <cstdint>
 
-#include "counting_policy.hpp"
+#include "core/contract/work_counting.hpp"
 
 namespace phytobench {
-
-/// Counters inside the innermost loop cost time, so they exist only in the `counters` preset.
-inline constexpr bool counts_inner_loop = PHYTOBENCH_COUNTS_WORK != 0;
 
 /// Work done since reset(), independent of the machine. Sums of integers, so the order of threads
 /// does not matter.

@@ -51,14 +51,15 @@ constexpr std::array<ComponentKey, 11> keys{{
      "\"all\"", WordChoice{bends_words, 0}},
 }};
 
-std::vector<Vector3> moves_of(std::span<const double> numbers, const Lattice& lattice) {
+std::vector<Vector3> moves_of(const ComponentValues& values, const Lattice& lattice) {
   const auto [nx, ny, nz] = lattice.points;
   const std::size_t wanted = 3 * nx * ny * nz;
+  const std::span<const double> numbers = values.list(moves);
   if (!numbers.empty() && numbers.size() != wanted)
-    throw InputError(fmt::format(
-        "moves of a component of kind ffd holds {} numbers, but {} x {} x {} control points need "
-        "{}; give three for each point, or none",
-        numbers.size(), nx, ny, nz, wanted));
+    throw InputError(
+        fmt::format("{} holds {} numbers, but {} x {} x {} control points need {}; give three for "
+                    "each point, or none",
+                    values.place_of_list(moves), numbers.size(), nx, ny, nz, wanted));
   std::vector<Vector3> vectors;
   for (std::size_t i = 0; i < numbers.size(); i += 3)
     vectors.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
@@ -77,7 +78,7 @@ void change_context(const ComponentInput& input, BuildContext& context) {
         "the box of a component of kind ffd is thinner than its place can tell; raise size_x, "
         "size_y and size_z, or move low_x, low_y and low_z nearer to 0");
   lattice.points = {values.count(points_x), values.count(points_y), values.count(points_z)};
-  lattice.moves = moves_of(values.list(moves), lattice);
+  lattice.moves = moves_of(values, lattice);
   if (lattice.moves.empty()) return;
   context.deformations.push_back(std::make_shared<const LatticeDeformation>(
       input.frame, std::move(lattice), static_cast<Bends>(values.choice(bends))));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "core/component_graph/build_plant.hpp"
+#include "core/component_graph/component_graph_file.hpp"
 #include "core/component_graph/shapes/component_fixture.hpp"
 #include "core/component_graph/shapes/lattice_deformation.hpp"
 #include "core/component_graph/shapes/outward_frame.hpp"
@@ -133,8 +135,25 @@ TEST(Ffd, SaysHowManyMovesItNeeds) {
     FAIL() << "two numbers for twelve control points";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "moves of a component of kind ffd holds 2 numbers, but 2 x 3 x 2 control points "
-                 "need 36; give three for each point, or none");
+                 "it.moves holds 2 numbers, but 2 x 3 x 2 control points need 36; give three for "
+                 "each point, or none");
+  }
+}
+
+/// How many it needs may follow from functions, so that only an instance can tell; the message
+/// still says where the list stands.
+TEST(Ffd, SaysWhereTheMovesStand) {
+  const ComponentGraph graph = parse_component_graph(
+      "[graph]\nroot = \"box\"\n\n[component.box]\nkind = \"ffd\"\npoints_x = \"value + 1\"\n"
+      "moves = [1.0, 2.0]\n",
+      "bent.toml");
+  try {
+    build_plant(graph);
+    FAIL() << "two numbers for twelve control points";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "bent.toml:7: box.moves holds 2 numbers, but 3 x 2 x 2 control points need 36; "
+                 "give three for each point, or none");
   }
 }
 

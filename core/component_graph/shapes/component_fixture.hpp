@@ -44,7 +44,7 @@ class Tried {
     return *this;
   }
   Tried& set_list(std::string_view key, std::vector<double> numbers) {
-    prototype_.settings[position(key)] = std::move(numbers);
+    std::get<GivenNumbers>(prototype_.settings[position(key)]).numbers = std::move(numbers);
     return *this;
   }
 

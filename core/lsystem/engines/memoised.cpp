@@ -6,19 +6,16 @@ namespace phytobench::derivation_engines {
 namespace {
 
 template <class Segment>
-std::uint64_t draw_segments(const LSystem& system, int steps, int /*threads*/,
-                            const SegmentSink<Segment>& sink) {
+DrawingWork draw_segments(const LSystem& system, int steps, int /*threads*/,
+                          const SegmentSink<Segment>& sink) {
   const SegmentStream stream(system, steps);
-  stream.stream(sink);
-  return stream.block_bytes();
+  return {.bytes_held = stream.block_bytes(), .parts_taken = stream.stream(sink)};
 }
 
 template <class Segment>
-std::uint64_t write_segments(const LSystem& system, int steps, int threads,
-                             std::span<Segment> out) {
+DrawingWork write_segments(const LSystem& system, int steps, int threads, std::span<Segment> out) {
   const SegmentStream stream(system, steps);
-  stream.write(out, threads);
-  return stream.block_bytes();
+  return {.bytes_held = stream.block_bytes(), .parts_taken = stream.write(out, threads)};
 }
 
 }  // namespace

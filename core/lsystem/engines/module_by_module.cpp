@@ -43,19 +43,21 @@ struct HandoverActor : TurtleActor {
 };
 
 template <class Segment>
-std::uint64_t draw_segments(const LSystem& system, int steps, int threads,
-                            const SegmentSink<Segment>& sink) {
+DrawingWork draw_segments(const LSystem& system, int steps, int threads,
+                          const SegmentSink<Segment>& sink) {
   DeriveOptions options;
   options.steps = steps;
   options.threads = threads;
   options.seed = system.seed;
   options.most_modules = most_modules;
   options.most_parameters = most_modules;
+  DerivationWork work;
+  options.work = &work;
   const Word word = derive(system, options);
   TurtleCommands commands = turtle_commands(system);
   HandoverActor<Segment> actor(sink);
   interpret(system, commands, word, actor);
-  return word.bytes();
+  return {.bytes_held = word.bytes(), .modules_made = work.modules_written};
 }
 
 std::string no_objection(const LSystem& /*system*/) {

@@ -25,10 +25,9 @@ char letter(const LSystem& system, SymbolIndex symbol) {
   return system.symbols[symbol].letter[0];
 }
 
-/// The word, and how many bytes were held on the way.
 struct Rewritten {
   std::string word;
-  std::uint64_t most_bytes = 0;
+  DrawingWork work;
 };
 
 Rewritten rewritten(const LSystem& system, int steps) {
@@ -55,8 +54,9 @@ Rewritten rewritten(const LSystem& system, int steps) {
       throw InputError(
           fmt::format("{}: the string has {} letters after {} derivations; derive less",
                       system.source, next.size(), step));
-    result.most_bytes =
-        std::max<std::uint64_t>(result.most_bytes, result.word.capacity() + next.capacity());
+    result.work.bytes_held =
+        std::max<std::uint64_t>(result.work.bytes_held, result.word.capacity() + next.capacity());
+    result.work.modules_made += next.size();
     result.word = std::move(next);
   }
   return result;
@@ -83,8 +83,8 @@ class Handover {
   std::vector<Segment> buffer_;
 };
 
-std::uint64_t draw_in_plane(const LSystem& system, int steps, int /*threads*/,
-                            const SegmentSink<PlanarSegment>& sink) {
+DrawingWork draw_in_plane(const LSystem& system, int steps, int /*threads*/,
+                          const SegmentSink<PlanarSegment>& sink) {
   struct Turtle {
     double x = 0.0, y = 0.0, degrees = 0.0;
   };
@@ -117,7 +117,7 @@ std::uint64_t draw_in_plane(const LSystem& system, int steps, int /*threads*/,
     }
   }
   handover.finish();
-  return string.most_bytes;
+  return string.work;
 }
 
 /// Turns `a` towards `b`, and `b` away from `a`.
@@ -128,8 +128,8 @@ void rotate(Vector3& a, Vector3& b, double degrees) {
   a = turned;
 }
 
-std::uint64_t draw_in_space(const LSystem& system, int steps, int /*threads*/,
-                            const SegmentSink<SpatialSegment>& sink) {
+DrawingWork draw_in_space(const LSystem& system, int steps, int /*threads*/,
+                          const SegmentSink<SpatialSegment>& sink) {
   struct Turtle {
     Vector3 position, heading, left, up;
   };
@@ -184,7 +184,7 @@ std::uint64_t draw_in_space(const LSystem& system, int steps, int /*threads*/,
     }
   }
   handover.finish();
-  return string.most_bytes;
+  return string.work;
 }
 
 }  // namespace
