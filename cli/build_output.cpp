@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/box_output.hpp"
 #include "cli/build_findings.hpp"
 #include "cli/option_values.hpp"
 
@@ -66,12 +67,6 @@ ordered_json materials_json(const BuildFindings& findings) {
   return rows;
 }
 
-ordered_json box_json(const BoundingBox& box) {
-  if (box.empty()) return nullptr;
-  const Vector3 &low = box.low(), &high = box.high();
-  return {{"low", {low.x, low.y, low.z}}, {"high", {high.x, high.y, high.z}}};
-}
-
 ordered_json frame_json(const BuildFindings& frame) {
   return {{"time", frame.time},
           {"instances", frame.instance_count},
@@ -131,14 +126,6 @@ std::string material_table(const BuildFindings& findings) {
   return text;
 }
 
-std::string box_line(const BoundingBox& box) {
-  if (box.empty()) return "no triangles\n";
-  const Vector3 &low = box.low(), &high = box.high(), size = box.extent();
-  return fmt::format(
-      "box {:.4g} x {:.4g} x {:.4g}, from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g})\n",
-      size.x, size.y, size.z, low.x, low.y, low.z, high.x, high.y, high.z);
-}
-
 /// Why numbers are missing in the column of predictions.
 std::string prediction_line(const BuildFindings& findings) {
   if (findings.predicted.is_too_large)
@@ -186,7 +173,7 @@ std::string build_text(const ComponentGraph& graph, const std::vector<BuildFindi
   text += component_table(graph, last) + prediction_line(last);
   text += link_table(graph, last) + material_table(last);
   text += fmt::format("\n{} instances on {} levels\n", last.instance_count, last.levels);
-  text += box_line(last.box);
+  text += last.box.empty() ? "no triangles\n" : "box " + box_text(last.box) + "\n";
   for (const BuildFindings& frame : frames)
     for (const std::string& file : frame.files) text += "wrote " + file + "\n";
   return text;

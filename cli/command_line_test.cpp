@@ -54,8 +54,9 @@ TEST_F(CommandLine, ExaminesTheMachine) {
 
 // list
 
-const Words kinds = {"papers",  "claims", "experiments", "engines", "overlap-engines",
-                     "presets", "graphs", "components",  "stands",  "rules"};
+const Words kinds = {"papers",          "claims",  "experiments", "engines",
+                     "overlap-engines", "presets", "graphs",      "components",
+                     "lsystems",        "stands",  "rules"};
 
 TEST_F(CommandLine, ListsEveryKindWithUniqueIdsAndSummaries) {
   for (const std::string& kind : kinds) {

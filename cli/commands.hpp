@@ -146,6 +146,21 @@ struct PlantBuildOptions : CameraOptions {
 };
 int build(const PlantBuildOptions& options);
 
+struct LSystemDeriveOptions : CameraOptions {
+  std::string system;                  ///< file of an L-system
+  std::string preset;                  ///< instead of a file
+  std::optional<std::int32_t> steps;   ///< unset: as the file says
+  std::optional<std::uint64_t> seed;   ///< the same
+  std::vector<std::string> out;        ///< .obj, .glb, .ply, .svg, .png or .csv files
+  bool split = false;                  ///< meshes of at most 65,536 vertices
+  std::optional<std::uint64_t> print;  ///< modules of the word to show; unset: none
+  double most_modules = 1e8;           ///< longer words are counted, but not made
+  int threads = 1;
+  std::string example;  ///< preset to print, or list; empty: none
+  bool json = false;
+};
+int derive(const LSystemDeriveOptions& options);
+
 struct OverlapOptions {
   std::string discs;         ///< CSV file
   std::string radius = "r";  ///< its column of radii

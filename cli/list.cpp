@@ -15,6 +15,7 @@
 #include "core/overlap/overlap_registry.hpp"
 #include "experiments/experiment_registry.hpp"
 #include "reference/graph_presets.hpp"
+#include "reference/lsystem_presets.hpp"
 #include "reference/papers.hpp"
 #include "reference/stand_presets.hpp"
 #include "reference/tree_presets.hpp"
@@ -109,6 +110,10 @@ ordered_json graphs() {
   return preset_rows(graph_presets());
 }
 
+ordered_json lsystems() {
+  return preset_rows(lsystem_presets());
+}
+
 ordered_json stands() {
   return preset_rows(stand_presets());
 }
@@ -138,6 +143,7 @@ constexpr Kind kinds[] = {{"papers", papers},
                           {"presets", presets},
                           {"graphs", graphs},
                           {"components", component_rows},
+                          {"lsystems", lsystems},
                           {"stands", stands},
                           {"rules", rules}};
 

@@ -72,6 +72,7 @@ int run_command_line(int argc, char** argv) {
   add_grow(app, commands);
   add_race(app, commands);
   add_build(app, commands);
+  add_derive(app, commands);
   add_overlap(app, commands);
   add_pattern(app, commands);
   add_compete(app, commands);

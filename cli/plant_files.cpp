@@ -13,6 +13,7 @@
 #include "core/picture/render.hpp"
 #include "core/tree/gltf_export.hpp"
 #include "core/tree/obj_export.hpp"
+#include "core/tree/ply_export.hpp"
 
 namespace phytobench::cli {
 
@@ -43,10 +44,14 @@ std::string extension_of(const fs::path& file) {
   return extension;
 }
 
+bool is_model(const std::string& file) {
+  const std::string extension = extension_of(file);
+  return extension == ".obj" || extension == ".glb" || extension == ".ply";
+}
+
 void refuse_other_models(const std::vector<std::string>& files) {
   for (const std::string& file : files)
-    if (extension_of(file) != ".obj" && extension_of(file) != ".glb")
-      throw InputError("--out " + file + " must end in .obj or .glb");
+    if (!is_model(file)) throw InputError("--out " + file + " must end in .ply, .obj or .glb");
 }
 
 void refuse_without_renderer(const std::string& picture, const std::string& instead) {
@@ -78,7 +83,7 @@ std::vector<FileContent> plant_models(const std::vector<SceneObject>& objects,
     if (extension_of(name) == ".obj")
       for (FileContent& part : to_obj(objects, name)) files.push_back(std::move(part));
     else
-      files.push_back({name, to_glb(objects)});
+      files.push_back({name, extension_of(name) == ".ply" ? to_ply(objects) : to_glb(objects)});
     if (is_interrupted()) throw Interrupted();
   }
   return files;

@@ -31,7 +31,10 @@ void refuse_odd_view(const PlantView& view);
 /// In small letters: ".png".
 std::string extension_of(const std::filesystem::path& file);
 
-/// InputError for a model (`--out`) that is neither .obj nor .glb.
+/// Whether the name ends in .obj, .glb or .ply.
+bool is_model(const std::string& file);
+
+/// InputError for a model (`--out`) that ends in none of these.
 void refuse_other_models(const std::vector<std::string>& files);
 
 /// EnvironmentError if this build cannot make PNG pictures; `instead` says what else to do.

@@ -9,7 +9,8 @@ include(CMakePackageConfigHelpers)
 # The program looks for its data in ../share/phytobench, and for the worker and its description beside itself.
 install(TARGETS phytobench phytobench_worker RUNTIME DESTINATION bin COMPONENT program)
 install(FILES ${CMAKE_BINARY_DIR}/worker_build.json DESTINATION bin COMPONENT program)
-install(DIRECTORY reference/papers reference/graphs reference/stands reference/trees reference/certified reports/templates reports/studies
+get_property(data_folders GLOBAL PROPERTY PHYTOBENCH_DATA_FOLDERS)
+install(DIRECTORY ${data_folders} reports/templates reports/studies
         DESTINATION share/phytobench COMPONENT program)
 install(FILES LICENSE CITATION.cff README.md DESTINATION share/doc/phytobench COMPONENT program)
 

@@ -28,27 +28,30 @@ std::string first_comment(const fs::path& file) {
   return text;
 }
 
-void append_presets(const fs::path& folder, std::vector<PresetFile>& presets) {
+void append_presets(const fs::path& folder, const std::string& extension,
+                    std::vector<PresetFile>& presets) {
   if (!fs::is_directory(folder)) return;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".toml")
+    if (entry.path().extension() == extension)
       presets.push_back({entry.path().stem().string(), first_comment(entry.path()), entry.path()});
 }
 
 }  // namespace
 
-std::vector<PresetFile> preset_files(const std::string& kind) {
+std::vector<PresetFile> preset_files(const std::string& kind, const std::string& extension) {
   std::vector<PresetFile> presets;
-  append_presets(data_folder() / kind, presets);
-  for (const std::string& key : paper_keys()) append_presets(paper_folder(key) / kind, presets);
+  append_presets(data_folder() / kind, extension, presets);
+  for (const std::string& key : paper_keys())
+    append_presets(paper_folder(key) / kind, extension, presets);
   std::sort(presets.begin(), presets.end(),
             [](const PresetFile& a, const PresetFile& b) { return a.name < b.name; });
   return presets;
 }
 
-fs::path preset_file_named(const std::string& kind, std::span<const std::string> names) {
+fs::path preset_file_named(const std::string& kind, std::span<const std::string> names,
+                           const std::string& extension) {
   PHYTOBENCH_EXPECT(!names.empty());
-  const std::vector<PresetFile> presets = preset_files(kind);
+  const std::vector<PresetFile> presets = preset_files(kind, extension);
   std::vector<std::string> known;
   for (const PresetFile& preset : presets) known.push_back(preset.name);
   for (const std::string& wanted : names) {

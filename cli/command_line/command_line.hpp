@@ -25,6 +25,7 @@ struct Commands {
   CompetitionRaceOptions competition_race;
   LSystemRaceOptions lsystem_race;
   PlantBuildOptions build;
+  LSystemDeriveOptions derive;
   OverlapOptions overlap;
   PatternOptions pattern;
   CompeteOptions compete;
@@ -45,6 +46,7 @@ void add_report(CLI::App& app, Commands& commands);
 void add_grow(CLI::App& app, Commands& commands);
 void add_race(CLI::App& app, Commands& commands);
 void add_build(CLI::App& app, Commands& commands);
+void add_derive(CLI::App& app, Commands& commands);
 void add_overlap(CLI::App& app, Commands& commands);
 void add_pattern(CLI::App& app, Commands& commands);
 void add_compete(CLI::App& app, Commands& commands);
@@ -53,6 +55,9 @@ void add_bench(CLI::App& app, Commands& commands);
 void add_compare(CLI::App& app, Commands& commands);
 void add_selftest(CLI::App& app, Commands& commands);
 void add_history(CLI::App& app, Commands& commands);
+
+/// Options of CameraOptions: from where a picture is taken.
+void add_camera(CLI::App& sub, CameraOptions& options);
 
 /// The library would only say that some race is required. Throws InputError.
 void refuse_unknown_race(int argc, char** argv);

@@ -7,8 +7,6 @@
 
 namespace phytobench::cli {
 
-namespace {
-
 void add_camera(CLI::App& sub, CameraOptions& options) {
   sub.add_option("--azimuth", options.azimuth_deg, "Picture from this side, degrees; 0 is +x")
       ->capture_default_str()
@@ -25,8 +23,6 @@ void add_camera(CLI::App& sub, CameraOptions& options) {
       ->check(CLI::Range(16, 8192));
 }
 
-}  // namespace
-
 void add_grow(CLI::App& app, Commands& commands) {
   GrowOptions& options = commands.grow;
   CLI::App* sub = app.add_subcommand("grow", "Grow a tree from a parameter file");
@@ -40,7 +36,8 @@ void add_grow(CLI::App& app, Commands& commands) {
       ->check(CLI::Range(1, 1024));
   sub->add_option("--preset", options.preset,
                   "A parameter file that comes with the program; see phytobench list presets");
-  sub->add_option("--out", options.out, "Write the plant as .obj, .glb or both; comma-separated")
+  sub->add_option("--out", options.out,
+                  "Write the plant as .obj, .glb or .ply; several comma-separated")
       ->delimiter(',');
   sub->add_flag("--split", options.split, "Meshes of at most 65536 vertices each");
   sub->add_option("--picture", options.picture,
@@ -86,7 +83,8 @@ void add_build(CLI::App& app, Commands& commands) {
   sub->add_option("--resolution", options.resolution, "Detail of meshes, 0.001 to 100")
       ->capture_default_str()
       ->check(CLI::Range(0.001, 100.0));
-  sub->add_option("--out", options.out, "Write the plant as .obj, .glb or both; comma-separated")
+  sub->add_option("--out", options.out,
+                  "Write the plant as .obj, .glb or .ply; several comma-separated")
       ->delimiter(',');
   sub->add_flag("--split", options.split, "Meshes of at most 65536 vertices each");
   sub->add_option("--picture", options.picture, "Write a .png picture");
