@@ -105,7 +105,7 @@ void measure_constants(ExperimentContext& context) {
   context.record("constants/like_a_parameter",
                  word_after(parse_lsystem("x = 7\naxiom: A(1)\nA(x) -> B(x + 1)\n", "text"), 1));
   context.record("constants/in_predecessor_refused",
-                 std::int64_t{is_refused("c = 7\naxiom: A(7)\nA(c + 1) -> B\n")});
+                 std::int64_t{is_refused("axiom: A(7)\nA(7) -> B\n")});
   context.record("constants/unknown_refused", std::int64_t{is_refused("axiom: A(c)\n")});
 }
 

@@ -38,7 +38,7 @@ void measure_words(ExperimentContext& context) {
   context.record("differs_from_closed_form", other_form, "words");
 }
 
-/// All modules of three letters with none to four parameters, each as a word of its own.
+/// All modules of four letters with none to four parameters, each as a word of its own.
 void measure_matching(ExperimentContext& context) {
   std::int64_t modules = 0, replaced = 0, wrongly = 0;
   for (const char letter : {'A', 'B', 'C', 'D'})

@@ -144,7 +144,7 @@ constinit const ExperimentDescriptor rewriting_in_place{
     .id = "liebemann2017/rewriting-in-place",
     .question = "Which orders of replacing in one string are as good as replacing all at once?",
     .source = "[Liebemann2017] sec. 2.1, 2.2, 4.2.2",
-    .seconds = {0.2, 0.2, 0.2},
+    .seconds = {0.7, 0.7, 0.7},
     .run = run,
 };
 

@@ -55,12 +55,22 @@ std::int64_t not_in_the_lists(const Skeleton& skeleton) {
   return other;
 }
 
-/// Nodes whose branch depth, stored when they were made, eq. 3.5 does not give.
+/// Entries of all lists of successors.
+std::int64_t entries_of_the_lists(const Skeleton& skeleton) {
+  const ChildLists successors(skeleton);
+  std::size_t entries = 0;
+  for (std::size_t v = 0; v < skeleton.node_count(); ++v)
+    entries += successors.of(static_cast<std::int32_t>(v)).size();
+  return static_cast<std::int64_t>(entries);
+}
+
+/// Nodes whose branch depth, stored when they were made, is not what eq. 3.5 gives literally.
 std::int64_t other_branch_depths(const Skeleton& skeleton) {
   BranchDepths stored;
   for (const std::int32_t parent : skeleton.parents()) stored.append(parent);
-  const std::vector<std::int32_t> expected =
-      branch_depths(skeleton, BranchDepthReading::at_creation);
+  const auto& parents = skeleton.parents();
+  const std::vector<int> expected = oracles::liebemann2017::branch_depths_at_creation(
+      oracles::liebemann2017::TreeGraph(std::vector<int>(parents.begin(), parents.end())));
   std::int64_t other = 0;
   for (std::size_t v = 0; v < expected.size(); ++v) other += stored.depths()[v] != expected[v];
   return other;
@@ -72,7 +82,7 @@ void measure(ExperimentContext& context, const std::string& name, const Skeleton
   options.circle_resolution = corners;
   const BranchMesh mesh = mesh_branches(skeleton, branch_radii(skeleton, 1.0, 2.0), options);
   record_seeded(context, name + "/nodes", static_cast<std::int64_t>(skeleton.node_count()));
-  record_seeded(context, name + "/edges", static_cast<std::int64_t>(skeleton.edge_count()));
+  record_seeded(context, name + "/edges", entries_of_the_lists(skeleton));
   record_seeded(context, name + "/not_in_the_lists", not_in_the_lists(skeleton));
   record_seeded(context, name + "/other_branch_depths", other_branch_depths(skeleton));
   record_seeded(context, name + "/triangles_by_corners",
