@@ -31,6 +31,24 @@ void measure_released_points(ExperimentContext& context) {
   context.record("passing-branch/values_that_keep_the_tree", same);
 }
 
+/// The loop as printed but for its missing case: a node in the middle between two points has no
+/// direction, so it keeps its points and makes no node, until it comes to rest.
+void measure_balanced_node(ExperimentContext& context) {
+  Seedling seedling =
+      scene({{-40, 0, 0}, {40, 0, 0}, {90, 0, 0}, {90, 60, 0}, {90, 120, 0}}, {0, -45, 0}, 100);
+  seedling.skeleton.append(0, {90, -50, 0});
+  const GrowthResult free = grow(seedling), released = grow(resting(seedling, 1));
+  context.record("balanced-node/unlimited/points_left",
+                 static_cast<std::int64_t>(free.live_points));
+  context.record("balanced-node/max_NG-1/points_left",
+                 static_cast<std::int64_t>(released.live_points));
+  context.record("balanced-node/max_NG-1/more_nodes", nodes_of(released) - nodes_of(free));
+  std::int64_t same = 0;
+  for (std::int32_t max_NG = 1; max_NG <= most_max_NG; ++max_NG)
+    same += tree_hash(grow(resting(seedling, max_NG)).skeleton) == tree_hash(free.skeleton);
+  context.record("balanced-node/values_that_keep_the_tree", same);
+}
+
 /// Over the clouds, for one max_NG beside another condition.
 struct Changes {
   std::int64_t other_trees = 0, fewer_points_left = 0, different = 0;
@@ -92,6 +110,7 @@ void measure_choices(ExperimentContext& context) {
 
 void run(ExperimentContext& context) {
   measure_released_points(context);
+  measure_balanced_node(context);
   for (const std::int32_t max_NG : {1, 2, 3, 5, 10, 20})
     measure_clouds(context, "once", GrowthLimits::unlimited, max_NG);
   for (const std::int32_t max_NG : {1, 20}) measure_clouds(context, "max_grad-2", 2, max_NG);
