@@ -66,9 +66,17 @@ inline pid_t start(const Words& arguments, const std::filesystem::path& folder,
   ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), fresh, 0600);
   ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), fresh, 0600);
   ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawnattr_t attributes;  // the program must see to it itself that a write only fails
+  ::posix_spawnattr_init(&attributes);
+  sigset_t defaults;
+  ::sigemptyset(&defaults);
+  ::sigaddset(&defaults, SIGXFSZ);
+  ::posix_spawnattr_setsigdefault(&attributes, &defaults);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
   pid_t child = 0;
   const int error =
-      ::posix_spawn(&child, PHYTOBENCH_PROGRAM, &actions, nullptr, argv.data(), environ);
+      ::posix_spawn(&child, PHYTOBENCH_PROGRAM, &actions, &attributes, argv.data(), environ);
+  ::posix_spawnattr_destroy(&attributes);
   ::posix_spawn_file_actions_destroy(&actions);
   if (error != 0) {
     ADD_FAILURE() << PHYTOBENCH_PROGRAM << ": " << std::strerror(error);
@@ -96,7 +104,7 @@ class SmallFilesOnly {
   explicit SmallFilesOnly(rlim_t bytes) {
     ::getrlimit(RLIMIT_FSIZE, &before_);
     const rlimit small{bytes, before_.rlim_max};
-    handler_ = std::signal(SIGXFSZ, SIG_IGN);  // inherited: writing fails instead of killing
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);  // of this test, not of the program
     EXPECT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
   }
   ~SmallFilesOnly() {

@@ -128,7 +128,7 @@ int grow(const GrowOptions& given) {
   const GrowthResult result =
       grow_crown(seedling, *engine,
                  {.options = loop, .threads = options.threads, .observer = report_iteration});
-  if (result.stop_reason == StopReason::interrupted) throw Interrupted();
+  if (result.stop_reason == StopReason::interrupted) throw Interrupted("nothing was written");
   if (result.skeleton.node_count() == seedling.skeleton.node_count())
     throw InputError(options.config + ": " +
                      (result.stop_reason == StopReason::no_child_allowed

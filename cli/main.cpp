@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads the command line and turns whatever happens into one line and an exit code.
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 
@@ -112,6 +113,7 @@ int fail(ExitCode code, const std::exception& error) {
 int main(int argc, char** argv) {
   using namespace phytobench;
   using namespace phytobench::cli;
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit is a failed write, told like others
   try {
     const int code = run_command_line(argc, argv);
     clear_progress();

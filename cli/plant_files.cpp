@@ -84,7 +84,7 @@ std::vector<FileContent> plant_models(const std::vector<SceneObject>& objects,
       for (FileContent& part : to_obj(objects, name)) files.push_back(std::move(part));
     else
       files.push_back({name, extension_of(name) == ".ply" ? to_ply(objects) : to_glb(objects)});
-    if (is_interrupted()) throw Interrupted();
+    if (is_interrupted()) throw Interrupted("nothing was written");
   }
   return files;
 }

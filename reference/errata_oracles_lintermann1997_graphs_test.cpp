@@ -113,10 +113,6 @@ OracleTable oracles_of_the_bush() {
       {"lintermann1997/lines-of-the-bush",
        {1, [](const Arguments& a) { return lines_without("AFSL", a[0]); },
         [](const Arguments& a) { return lines_without("ASL", a[0]); }}},
-      // ! and ' before the line, factor of each; width of the line.
-      {"lintermann1997/width-of-a-line",
-       {3, [](const Arguments& a) { return std::pow(a[2], a[1]); },
-        [](const Arguments& a) { return std::pow(a[2], a[0]); }}},
       // Two seeds of a sunflower; their distance, if an L-system can place them.
       {"lintermann1997/seeds-by-an-l-system",
        {2, [](const Arguments&) { return undefined; },
