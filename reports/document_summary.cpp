@@ -144,7 +144,8 @@ std::string predicted_text(const ordered_json& predictions, const ClaimCounts& c
   std::string text = "No verdict was predicted before building.";
   if (predictions["predicted"] != 0)
     text = fmt::format(
-        "Verdicts were predicted from notes on the texts, most of them older than this suite. Of those "
+        "Verdicts were predicted from notes on the texts, most of them older than this suite. Of "
+        "those "
         "that this run decided, {} as predicted and {} otherwise; {} a verdict that the text alone "
         "fixes.",
         counted(same, "was found", "were found"), differ,

@@ -26,7 +26,7 @@ GrowthTrace record_trace(const EngineDescriptor& engine, const Seedling& seedlin
 
 struct Replay {
   std::vector<std::uint64_t> assignment_hashes;  ///< one per association
-  std::vector<std::uint64_t> removal_hashes;    ///< one per removal
+  std::vector<std::uint64_t> removal_hashes;     ///< one per removal
   /// The most that was allocated and not yet freed after any call, beyond what was before the
   /// engine existed. Temporary memory within a call is not seen. Negative where the C library
   /// cannot tell.
