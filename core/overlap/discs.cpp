@@ -35,7 +35,9 @@ struct Partner {
 
 void OverlapPairs::make_room(std::size_t count) {
   if (size_ + count <= area_.size()) return;
-  const std::size_t capacity = std::max(size_ + count, size_ + size_ / 2 + 1024);
+  // Of what there is, not of what is used: the steps are the same however pairs come in batches,
+  // which differ with the width of a processor's vectors.
+  const std::size_t capacity = std::max(size_ + count, area_.size() + area_.size() / 2 + 1024);
   grow(first_, size_, capacity);
   grow(second_, size_, capacity);
   grow(area_, size_, capacity);

@@ -196,7 +196,7 @@ class PairScan {
       hn::Store(hn::Sqrt(hn::Load(d, distance_ + p)), d, distance_ + p);
     lens_areas({r_, waiting_}, {s_, waiting_}, {distance_, waiting_}, {area_, waiting_});
     const std::size_t kept = drop_touching();
-    pairs_.make_room(kept + hn::Lanes(d));
+    pairs_.make_room(kept + most_lanes);
     write_out(kept);
     pairs_.add_written(kept);
     waiting_ = 0;
@@ -233,6 +233,8 @@ class PairScan {
   }
 
   static constexpr std::size_t batch = 512;
+  static constexpr std::size_t most_lanes = 16;  ///< of any target, so that all ask for one room
+  static_assert(HWY_MAX_BYTES / sizeof(double) <= most_lanes);
   /// Some roundings above (r + s)^2: only the lens decides what touches.
   static constexpr double squared_margin = 1.0 + 0x1p-48;
 
