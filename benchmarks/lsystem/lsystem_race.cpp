@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/lsystem/lsystem_race.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cstring>
 
 #include <fmt/format.h>
 
 #include "benchmarks/lsystem/drawing_judge.hpp"
+#include "benchmarks/lsystem/engine_drawing.hpp"
 #include "core/contract/errors.hpp"
 #include "core/memory/large_array.hpp"
 #include "core/random/counter_stream.hpp"
@@ -21,19 +21,6 @@ double seconds_of(const Work& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-auto draw_function(const DerivationEngine& engine, PlanarSegment*) {
-  return engine.draw_planar;
-}
-auto draw_function(const DerivationEngine& engine, SpatialSegment*) {
-  return engine.draw;
-}
-auto write_function(const DerivationEngine& engine, PlanarSegment*) {
-  return engine.write_planar;
-}
-auto write_function(const DerivationEngine& engine, SpatialSegment*) {
-  return engine.write;
 }
 
 template <class Segment>
@@ -95,27 +82,20 @@ class Race {
   }
 
   DrawingWork draw(const DrawingEntry& entry, const SegmentSink<Segment>& sink) const {
-    constexpr Segment* kind = nullptr;
-    return draw_function(*entry.engine, kind)(workload_.system, workload_.steps, entry.threads,
-                                              sink);
+    return draw_function<Segment>(*entry.engine)(workload_.system, workload_.steps, entry.threads,
+                                                 sink);
   }
 
   /// Returns how many segments there were; more than expected are not written.
   std::uint64_t write(DrawingEntry& entry) {
-    constexpr Segment* kind = nullptr;
     const std::span<Segment> out(array_.data(), array_.size());
-    if (const auto function = write_function(*entry.engine, kind)) {
+    if (const auto function = write_function<Segment>(*entry.engine)) {
       entry.bytes_held = function(workload_.system, workload_.steps, entry.threads, out).bytes_held;
       return out.size();
     }
-    std::uint64_t count = 0;
-    const DrawingWork work = draw(entry, [&](std::span<const Segment> block) {
-      if (count + block.size() <= out.size())
-        std::copy(block.begin(), block.end(), out.begin() + static_cast<std::ptrdiff_t>(count));
-      count += block.size();
-    });
-    entry.bytes_held = work.bytes_held;
-    return count;
+    const CopiedDrawing copied = copy_drawing(*entry.engine, workload_, entry.threads, out);
+    entry.bytes_held = copied.work.bytes_held;
+    return copied.segments;
   }
 
   void time(DrawingEntry& entry, int round) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/regression/drawing_kernel.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "benchmarks/lsystem/derivation_case.hpp"
+#include "benchmarks/lsystem/engine_drawing.hpp"
 #include "benchmarks/regression/families/kernel_digest.hpp"
 #include "core/contract/check.hpp"
 #include "core/contract/work_counting.hpp"
@@ -15,19 +14,6 @@ namespace phytobench {
 
 namespace {
 
-auto draw_function(const DerivationEngine& engine, PlanarSegment*) {
-  return engine.draw_planar;
-}
-auto draw_function(const DerivationEngine& engine, SpatialSegment*) {
-  return engine.draw;
-}
-auto write_function(const DerivationEngine& engine, PlanarSegment*) {
-  return engine.write_planar;
-}
-auto write_function(const DerivationEngine& engine, SpatialSegment*) {
-  return engine.write;
-}
-
 template <class Segment>
 class DrawingKernel final : public WatchedKernel {
  public:
@@ -35,26 +21,22 @@ class DrawingKernel final : public WatchedKernel {
                 DrawingLane lane)
       : engine_(engine), system_(std::move(system)), writes_(lane == DrawingLane::memory) {
     segments_.resize(workload().segments);
-    PHYTOBENCH_EXPECT(!writes_ || write_function(engine_, kind) != nullptr);
+    PHYTOBENCH_EXPECT(!writes_ || write_function<Segment>(engine_) != nullptr);
   }
 
   std::string inputs() const override { return system_->digest(); }
 
   void run() override {
     if (writes_) {
-      work_ = write_function(engine_, kind)(workload().system, workload().steps, 1, segments_);
+      work_ = write_function<Segment>(engine_)(workload().system, workload().steps, 1, segments_);
       count_ = segments_.size();
       return;
     }
-    count_ = 0;
-    blocks_ = 0;
-    work_ = draw_function(engine_, kind)(
-        workload().system, workload().steps, 1, [&](std::span<const Segment> block) {
-          if (count_ + block.size() <= segments_.size())
-            std::copy(block.begin(), block.end(), segments_.data() + count_);
-          count_ += block.size();
-          ++blocks_;
-        });
+    const CopiedDrawing copied =
+        copy_drawing(engine_, workload(), 1, std::span<Segment>(segments_));
+    work_ = copied.work;
+    count_ = copied.segments;
+    blocks_ = copied.blocks;
   }
 
   std::string answer() const override {
@@ -79,14 +61,13 @@ class DrawingKernel final : public WatchedKernel {
   }
 
  private:
-  static constexpr Segment* kind = nullptr;
   const LSystemWorkload& workload() const { return system_->workload(); }
 
   const DerivationEngine& engine_;
   std::shared_ptr<DrawnSystem> system_;
   bool writes_;
   std::vector<Segment> segments_;
-  std::size_t count_ = 0;
+  std::uint64_t count_ = 0;
   std::uint64_t blocks_ = 0;
   DrawingWork work_;
 };
