@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 
@@ -19,31 +18,16 @@ void Descriptor::close() {
   number_ = -1;
 }
 
-/// Other programs that are started do not get it.
-ChildStreams::File ChildStreams::temporary_file(const std::string& content) {
-  File file(std::tmpfile(), std::fclose);
-  if (!file || std::fwrite(content.data(), 1, content.size(), file.get()) != content.size() ||
-      std::fflush(file.get()) != 0)
-    throw EnvironmentError(fmt::format("no temporary file for a program's input and output: {}",
-                                       std::strerror(errno)));
-  std::rewind(file.get());
-  ::fcntl(::fileno(file.get()), F_SETFD, FD_CLOEXEC);
-  return file;
-}
+namespace {
 
-std::string ChildStreams::content_of(std::FILE* file) {
-  std::string content;
-  std::array<char, 1 << 14> block;
-  std::rewind(file);
-  for (std::size_t size; (size = std::fread(block.data(), 1, block.size(), file)) > 0;)
-    content.append(block.data(), size);
-  return content;
-}
+constexpr const char* no_file = "no temporary file for a program's input and output";
+
+}  // namespace
 
 ChildStreams::ChildStreams(const std::string& input, const std::filesystem::path& log)
-    : in_(temporary_file(input)),
-      out_(temporary_file("")),
-      err_(temporary_file("")),
+    : in_(temporary_file(input, no_file)),
+      out_(temporary_file("", no_file)),
+      err_(temporary_file("", no_file)),
       log_(log.empty() ? -1
                        : ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
   if (!log.empty() && log_.number() < 0)
@@ -56,11 +40,11 @@ int ChildStreams::number(int target) const {
 }
 
 std::string ChildStreams::out() const {
-  return content_of(out_.get());
+  return content_of(out_);
 }
 
 std::string ChildStreams::err() const {
-  return content_of(err_.get());
+  return content_of(err_);
 }
 
 }  // namespace phytobench

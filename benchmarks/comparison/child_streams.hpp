@@ -2,10 +2,10 @@
 // What a program reads and writes while it runs: files, so that nobody has to wait for its output.
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
+
+#include "core/contract/temporary_file.hpp"
 
 namespace phytobench {
 
@@ -39,11 +39,7 @@ class ChildStreams {
   std::string err() const;
 
  private:
-  using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-  static File temporary_file(const std::string& content);
-  static std::string content_of(std::FILE* file);
-
-  File in_, out_, err_;
+  TemporaryFile in_, out_, err_;
   Descriptor log_;
 };
 
