@@ -2,43 +2,20 @@
 #include "reports/junit_xml.hpp"
 
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <libxml/parser.h>
-#include <libxml/tree.h>
+
+#include "core/contract/xml_fixture.hpp"
 
 namespace phytobench {
 namespace {
 
 using testing::HasSubstr;
 
-using Document = std::unique_ptr<xmlDoc, decltype(&xmlFreeDoc)>;
-
-/// Null for a text that is not well-formed.
-Document parsed(const std::string& xml) {
-  return {xmlReadMemory(xml.data(), static_cast<int>(xml.size()), "junit.xml", nullptr,
-                        XML_PARSE_NOERROR | XML_PARSE_NOWARNING | XML_PARSE_NONET),
-          xmlFreeDoc};
-}
-
-std::string attribute(const xmlNode* node, const char* name) {
-  const std::unique_ptr<xmlChar, void (*)(xmlChar*)> value(
-      xmlGetProp(node, reinterpret_cast<const xmlChar*>(name)),
-      [](xmlChar* text) { xmlFree(text); });
-  return value ? reinterpret_cast<const char*>(value.get()) : "(none)";
-}
-
-std::vector<const xmlNode*> children(const xmlNode* node, const std::string& name) {
-  std::vector<const xmlNode*> found;
-  for (const xmlNode* child = node->children; child != nullptr; child = child->next)
-    if (child->type == XML_ELEMENT_NODE && name == reinterpret_cast<const char*>(child->name))
-      found.push_back(child);
-  return found;
-}
+using namespace xml_fixture;
 
 std::map<std::string, std::string> properties_of(const xmlNode* test) {
   std::map<std::string, std::string> properties;

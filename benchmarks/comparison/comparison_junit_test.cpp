@@ -2,45 +2,26 @@
 #include "benchmarks/comparison/comparison_junit.hpp"
 
 #include <map>
-#include <memory>
 #include <string>
 
 #include <gtest/gtest.h>
-#include <libxml/parser.h>
-#include <libxml/tree.h>
 
 #include "benchmarks/comparison/example_report.hpp"
+#include "core/contract/xml_fixture.hpp"
 
 namespace phytobench {
 namespace {
 
-using Document = std::unique_ptr<xmlDoc, decltype(&xmlFreeDoc)>;
-
-/// Null for a text that is not well-formed.
-Document parsed(const std::string& xml) {
-  return {xmlReadMemory(xml.data(), static_cast<int>(xml.size()), "junit.xml", nullptr,
-                        XML_PARSE_NOERROR | XML_PARSE_NOWARNING | XML_PARSE_NONET),
-          xmlFreeDoc};
-}
-
-std::string attribute(const xmlNode* node, const char* name) {
-  const std::unique_ptr<xmlChar, void (*)(xmlChar*)> value(
-      xmlGetProp(node, reinterpret_cast<const xmlChar*>(name)),
-      [](xmlChar* text) { xmlFree(text); });
-  return value ? reinterpret_cast<const char*>(value.get()) : "(none)";
-}
+using namespace xml_fixture;
 
 /// By the names of test cases, the first element within: failure, skipped or system-out.
 std::map<std::string, std::string> outcomes(const xmlNode* node) {
   std::map<std::string, std::string> found;
-  for (const xmlNode* child = node->children; child != nullptr; child = child->next) {
-    if (child->type != XML_ELEMENT_NODE) continue;
+  for (const xmlNode* child : children(node)) {
     found.merge(outcomes(child));
-    if (std::string(reinterpret_cast<const char*>(child->name)) != "testcase") continue;
-    std::string& outcome = found[attribute(child, "name")];
-    for (const xmlNode* within = child->children; within != nullptr; within = within->next)
-      if (within->type == XML_ELEMENT_NODE && outcome.empty())
-        outcome = reinterpret_cast<const char*>(within->name);
+    if (name_of(child) != "testcase") continue;
+    const auto within = children(child);
+    found[attribute(child, "name")] = within.empty() ? "" : name_of(within.front());
   }
   return found;
 }
