@@ -2,7 +2,6 @@
 // CITATION.cff, line by line: what its schema demands, and what must be as it is elsewhere.
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -10,19 +9,12 @@
 
 #include <gtest/gtest.h>
 
+#include "cmake/tidy/project_files.hpp"
+
 namespace phytobench {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path root = PHYTOBENCH_SOURCE;
-
-std::string read(const fs::path& file) {
-  std::ifstream stream(root / file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 bool has(const std::string& text, const std::string& pattern) {
   return std::regex_search(text, std::regex("(^|\n)" + pattern));

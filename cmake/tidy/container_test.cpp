@@ -2,7 +2,6 @@
 // The Dockerfile by rules that need no engine: dated images, small layers, nothing that is not
 // there.
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
@@ -12,19 +11,12 @@
 
 #include <gtest/gtest.h>
 
+#include "cmake/tidy/project_files.hpp"
+
 namespace phytobench {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path root = PHYTOBENCH_SOURCE;
-
-std::string read(const fs::path& file) {
-  std::ifstream stream(root / file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 std::vector<std::string> words_of(const std::string& text) {
   std::istringstream stream(text);

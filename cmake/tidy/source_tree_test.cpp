@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <memory>
 #include <regex>
@@ -14,6 +13,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "cmake/tidy/project_files.hpp"
 
 namespace phytobench {
 namespace {
@@ -35,21 +36,12 @@ std::string output_of(const std::string& command) {
   return output;
 }
 
-const std::string root = PHYTOBENCH_SOURCE;
-
-std::string read(const std::string& path) {
-  std::ifstream stream(fs::path(root) / path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 std::vector<File> tracked_files(const std::regex& name) {
   std::vector<File> files;
   std::istringstream listing(
-      output_of("git -C '" + root + "' ls-files --cached --others --exclude-standard"));
+      output_of("git -C '" + root.string() + "' ls-files --cached --others --exclude-standard"));
   for (std::string path; std::getline(listing, path);)
-    if (std::regex_search(path, name) && fs::exists(fs::path(root) / path))
+    if (std::regex_search(path, name) && fs::exists(root / path))
       files.push_back({path, read(path)});
   return files;
 }
@@ -278,7 +270,7 @@ TEST(FormattingTidy, ClangFormatWouldChangeNothing) {
   if (std::system("clang-format --version >/dev/null 2>&1") != 0)
     GTEST_SKIP() << "clang-format is not installed; ./check installs it";
   for (const File& file : tracked_files(cpp_name)) {
-    const std::string path = (fs::path(root) / file.path).string();
+    const std::string path = (root / file.path).string();
     EXPECT_EQ(output_of("clang-format --style=file '" + path + "'"), file.text)
         << file.path << ": run clang-format -i on it";
   }
