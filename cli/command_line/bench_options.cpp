@@ -78,12 +78,7 @@ void add_bench_measure(CLI::App& bench, Commands& commands) {
   sub->add_option("--processes", options.processes, "Fresh processes; one repetition each")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
-  sub->add_option("--samples", options.samples, "Of each benchmark in each process")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  sub->add_option("--sample-ms", options.sample_ms, "Length of a sample, roughly")
-      ->capture_default_str()
-      ->check(CLI::Range(0.1, 10000.0));
+  add_sampling(*sub, options.samples, options.sample_ms);
   sub->add_option("--seed", options.seed, "Of the order of benchmarks in each process")
       ->capture_default_str()
       ->check(whole_number);

@@ -59,6 +59,9 @@ void add_history(CLI::App& app, Commands& commands);
 /// Options of CameraOptions: from where a picture is taken.
 void add_camera(CLI::App& sub, CameraOptions& options);
 
+/// Options of the commands that time benchmarks in processes: how many samples, and how long ones.
+void add_sampling(CLI::App& sub, int& samples, double& sample_ms);
+
 /// The library would only say that some race is required. Throws InputError.
 void refuse_unknown_race(int argc, char** argv);
 

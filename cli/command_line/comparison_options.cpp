@@ -21,6 +21,15 @@ void refuse_odd_blocks(const CompareOptions& options, bool is_most_given) {
 
 }  // namespace
 
+void add_sampling(CLI::App& sub, int& samples, double& sample_ms) {
+  sub.add_option("--samples", samples, "Of each benchmark in each process")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  sub.add_option("--sample-ms", sample_ms, "Length of a sample, roughly")
+      ->capture_default_str()
+      ->check(CLI::Range(0.1, 10000.0));
+}
+
 void add_compare(CLI::App& app, Commands& commands) {
   CompareOptions& options = commands.compare;
   CLI::App* sub = app.add_subcommand("compare", "Is one build slower than another?");
@@ -45,12 +54,7 @@ void add_compare(CLI::App& app, Commands& commands) {
       sub->add_option("--most-blocks", options.most_blocks, "Of them; not less than the least")
           ->capture_default_str()
           ->check(CLI::Range(8, 1000));
-  sub->add_option("--samples", options.samples, "Of each benchmark in each process")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  sub->add_option("--sample-ms", options.sample_ms, "Length of a sample, roughly")
-      ->capture_default_str()
-      ->check(CLI::Range(0.1, 10000.0));
+  add_sampling(*sub, options.samples, options.sample_ms);
   sub->add_option("--seed", options.seed, "Of the order of processes and all that they draw")
       ->capture_default_str()
       ->check(whole_number);
