@@ -2,6 +2,7 @@
 #include "benchmarks/lsystem/derivation_case.hpp"
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -90,6 +91,21 @@ std::string objection_to_all_letters(const LSystem& system, int steps, const Wor
   return objection_to_letters(system, steps, word);
 }
 
+/// A system without parameters, and how many letters its words have.
+DerivationCase followed_derivation(const std::string& plant, const char* text, const char* source,
+                                   int steps, bool every_word,
+                                   const std::function<oracles::Count(int)>& letters) {
+  const LSystem system = parse_lsystem(text, source);
+  return {plant + (every_word ? ", every word" : ", last word alone"),
+          text,
+          system,
+          steps,
+          every_word,
+          [system, steps, letters](const Word& word) {
+            return objection_to_all_letters(system, steps, word, letters(steps));
+          }};
+}
+
 }  // namespace
 
 std::uint64_t modules_by_matrix(const LSystem& system, int steps) {
@@ -106,29 +122,13 @@ DerivationCase tree_derivation(int steps) {
 }
 
 DerivationCase bush_derivation(int steps, bool every_word) {
-  const LSystem system = parse_lsystem(bush_text, "eq. 7");
-  return {every_word ? "bush, every word" : "bush, last word alone",
-          bush_text,
-          system,
-          steps,
-          every_word,
-          [system, steps](const Word& word) {
-            return objection_to_all_letters(system, steps, word,
-                                            oracles::lintermann1997::bush_letters(steps, {}));
-          }};
+  return followed_derivation("bush", bush_text, "eq. 7", steps, every_word,
+                             [](int n) { return oracles::lintermann1997::bush_letters(n, {}); });
 }
 
 DerivationCase plant_derivation(int steps, bool every_word) {
-  const LSystem system = parse_lsystem(plant_text, "eq. 6");
-  return {every_word ? "plant, every word" : "plant, last word alone",
-          plant_text,
-          system,
-          steps,
-          every_word,
-          [system, steps](const Word& word) {
-            return objection_to_all_letters(system, steps, word,
-                                            oracles::equation_6_letters(steps));
-          }};
+  return followed_derivation("plant", plant_text, "eq. 6", steps, every_word,
+                             oracles::equation_6_letters);
 }
 
 }  // namespace phytobench

@@ -6,12 +6,10 @@
 #include <map>
 #include <memory>
 
-#include <benchmark/benchmark.h>
-
+#include "benchmarks/google_benchmark_suite.hpp"
 #include "benchmarks/lsystem/derivation_race.hpp"
 #include "benchmarks/regression/drawing_kernel.hpp"
 #include "core/lsystem/derive.hpp"
-#include "core/memory/keep_freed_memory.hpp"
 
 namespace phytobench {
 namespace {
@@ -29,17 +27,10 @@ const std::shared_ptr<DrawnSystem>& system_of(const std::string& name, double se
 void draw(benchmark::State& state, const std::string& name, double segments,
           const DerivationEngine& engine, DrawingLane lane) {
   const auto system = system_of(name, segments);
-  if (const std::string objection = engine.objection(system->workload().system);
-      !objection.empty()) {
-    state.SkipWithError(objection.c_str());
-    return;
-  }
+  if (is_skipped(state, engine.objection(system->workload().system))) return;
   const auto kernel = drawing_kernel(engine, system, lane);
   kernel->run();
-  if (const std::string objection = kernel->objection(); !objection.empty()) {
-    state.SkipWithError(objection.c_str());
-    return;
-  }
+  if (is_skipped(state, kernel->objection())) return;
   for (auto _ : state) kernel->run();
   for (const auto& [counter, count] : kernel->work())
     state.counters[counter] = static_cast<double>(count);
@@ -53,11 +44,7 @@ void derive_word(benchmark::State& state, const DerivationCase& one) {
   options.steps = one.steps;
   options.work = &work;
   if (one.every_word) options.each_word = [](int, const Word&) {};
-  if (const std::string objection = one.objection(derive(one.system, options));
-      !objection.empty()) {
-    state.SkipWithError(objection.c_str());
-    return;
-  }
+  if (is_skipped(state, one.objection(derive(one.system, options)))) return;
   for (auto _ : state) benchmark::DoNotOptimize(derive(one.system, options).symbols.data());
   state.counters["modules_written"] = static_cast<double>(work.modules_written);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(work.modules_written));
@@ -67,10 +54,9 @@ void register_drawing(const std::string& system, double segments, const Derivati
                       DrawingLane lane) {
   const std::string name = system + "/segments:" + std::to_string(static_cast<int>(segments)) +
                            "/" + std::string(engine.name) + "/" + std::string(name_of(lane));
-  benchmark::RegisterBenchmark(name.c_str(), [system, segments, &engine,
-                                              lane](benchmark::State& state) {
+  register_benchmark(name, [system, segments, &engine, lane](benchmark::State& state) {
     draw(state, system, segments, engine, lane);
-  })->Unit(benchmark::kMillisecond);
+  });
 }
 
 void register_all() {
@@ -85,9 +71,7 @@ void register_all() {
         }
   for (const DerivationCase& one : derivation_cases(most_modules)) {
     const std::string name = "derive/" + one.name + "/steps:" + std::to_string(one.steps);
-    benchmark::RegisterBenchmark(name.c_str(), [one](benchmark::State& state) {
-      derive_word(state, one);
-    })->Unit(benchmark::kMillisecond);
+    register_benchmark(name, [one](benchmark::State& state) { derive_word(state, one); });
   }
 }
 
@@ -95,11 +79,5 @@ void register_all() {
 }  // namespace phytobench
 
 int main(int argc, char** argv) {
-  phytobench::keep_freed_memory();
-  phytobench::register_all();
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return phytobench::run_suite(argc, argv, phytobench::register_all);
 }

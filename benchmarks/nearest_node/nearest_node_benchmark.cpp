@@ -5,11 +5,9 @@
 #include <map>
 #include <memory>
 
-#include <benchmark/benchmark.h>
-
+#include "benchmarks/google_benchmark_suite.hpp"
 #include "benchmarks/nearest_node/checked_growth.hpp"
 #include "benchmarks/nearest_node/workload.hpp"
-#include "core/memory/keep_freed_memory.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 
 namespace phytobench {
@@ -55,12 +53,9 @@ void register_all() {
       for (const std::string_view option : loop_option_names) {
         const std::string name = "points:" + std::to_string(static_cast<int>(points)) + "/" +
                                  std::string(engine->name) + "/" + std::string(option);
-        benchmark::RegisterBenchmark(name.c_str(),
-                                     [points, engine, option](benchmark::State& state) {
-                                       grow(state, points, *engine, option);
-                                     })
-            ->UseManualTime()
-            ->Unit(benchmark::kMillisecond);
+        register_benchmark(name, [points, engine, option](benchmark::State& state) {
+          grow(state, points, *engine, option);
+        })->UseManualTime();
       }
     }
 }
@@ -69,11 +64,5 @@ void register_all() {
 }  // namespace phytobench
 
 int main(int argc, char** argv) {
-  phytobench::keep_freed_memory();
-  phytobench::register_all();
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return phytobench::run_suite(argc, argv, phytobench::register_all);
 }
