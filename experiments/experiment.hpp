@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -59,6 +60,11 @@ class ExperimentContext {
   std::vector<TimingSample> timings_;
   std::vector<Artifact> artifacts_;
 };
+
+/// A count as records hold it.
+inline std::int64_t whole(std::size_t number) {
+  return static_cast<std::int64_t>(number);
+}
 
 /// One question, one file, one line in experiments.def.
 struct ExperimentDescriptor {

@@ -3,16 +3,12 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
 
-#include "core/contract/errors.hpp"
-#include "core/lsystem/derive.hpp"
-#include "core/lsystem/drawing.hpp"
 #include "core/lsystem/read_lsystem.hpp"
-#include "core/random/counter_stream.hpp"
+#include "experiments/l_system_words.hpp"
 #include "reference/oracles/alsweis_lsystems.hpp"
 
 namespace phytobench::experiments::alsweis {
@@ -30,45 +26,6 @@ inline constexpr std::string_view l_system_2_text =
 
 inline LSystem l_system(std::string_view text) {
   return parse_lsystem(text, "chapter 3");
-}
-
-inline bool is_refused(std::string_view text) {
-  try {
-    l_system(text);
-  } catch (const InputError&) {
-    return true;
-  }
-  return false;
-}
-
-inline Word derived(const LSystem& system, int steps, std::uint64_t seed = 0) {
-  DeriveOptions options;
-  options.steps = steps;
-  options.seed = seed;
-  return derive(system, options);
-}
-
-inline std::string word_after(const LSystem& system, int steps, std::uint64_t seed = 0) {
-  return text_of(system, derived(system, steps, seed));
-}
-
-/// What the turtle draws along a word that nothing replaces.
-inline Drawing drawn_word(const std::string& letters, double angle_deg) {
-  LSystem system = l_system("axiom: " + letters + "\n");
-  system.turtle.angle_deg = angle_deg;
-  return draw(system, axiom_word(system));
-}
-
-inline std::string random_letters(UnitStream& stream, std::string_view from, std::size_t count) {
-  std::string letters;
-  for (std::size_t i = 0; i < count; ++i)
-    letters +=
-        from[static_cast<std::size_t>(stream.next_unit() * static_cast<double>(from.size()))];
-  return letters;
-}
-
-inline std::int64_t whole(std::size_t number) {
-  return static_cast<std::int64_t>(number);
 }
 
 /// Words of L-system 1 and their probabilities.

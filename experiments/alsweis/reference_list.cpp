@@ -17,10 +17,6 @@ namespace phytobench::experiments::alsweis {
 
 namespace {
 
-std::int64_t whole(std::size_t number) {
-  return static_cast<std::int64_t>(number);
-}
-
 void record_entries(ExperimentContext& context, const TomlTable& list) {
   const std::vector<double> years = list.numbers("years");
   const TomlTable named_in = list.table("named-in");

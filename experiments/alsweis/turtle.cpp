@@ -10,6 +10,7 @@
 
 #include "core/lsystem/drawing_measures.hpp"
 #include "core/lsystem/drawing_svg.hpp"
+#include "core/random/counter_stream.hpp"
 #include "experiments/alsweis/chapter_3_l_systems.hpp"
 #include "experiments/experiment.hpp"
 #include "reference/oracles/alsweis_lsystems.hpp"

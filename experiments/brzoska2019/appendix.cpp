@@ -9,10 +9,6 @@ namespace phytobench::experiments::brzoska2019 {
 
 namespace {
 
-std::int64_t whole(std::size_t number) {
-  return static_cast<std::int64_t>(number);
-}
-
 double vertices_per_leaf(LeafShape shape) {
   return shape == LeafShape::cross_foil ? 16.0 : 8.0;
 }

@@ -16,10 +16,6 @@ namespace phytobench::experiments::brzoska2019 {
 
 namespace {
 
-std::int64_t whole(std::size_t number) {
-  return static_cast<std::int64_t>(number);
-}
-
 /// Corners of a ring, edges and duplicated rings that give V = (w + 1) (E + 1 + duplicates) and
 /// T = 2 w E.
 struct Solution {

@@ -41,7 +41,7 @@ void record_counts(ExperimentContext& context, int primes) {
   const LSystem system = thesis_l_system(equation_7_text(primes));
   std::int64_t differ = 0;
   for (int n = 0; n <= 9; ++n) {
-    const Word word = derived(system, n, context.untimed_threads());
+    const Word word = derive(system, {.steps = n, .threads = context.untimed_threads()});
     if (primes == 2 && n <= 7)
       context.record(fmt::format("n-{}/apices", n), count_of(system, word, "A"), "letters");
     for (const auto& [letter, expected] :

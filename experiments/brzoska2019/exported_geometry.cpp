@@ -17,10 +17,6 @@ namespace phytobench::experiments::brzoska2019 {
 
 namespace {
 
-std::int64_t whole(std::size_t number) {
-  return static_cast<std::int64_t>(number);
-}
-
 /// The words of a line.
 std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> words;

@@ -17,10 +17,6 @@ namespace phytobench::experiments::brzoska2019 {
 
 namespace {
 
-std::int64_t whole(std::size_t number) {
-  return static_cast<std::int64_t>(number);
-}
-
 /// A tree and the engine to grow it with.
 struct Task {
   std::string name;  ///< "figure-51/voxel_grid.dn"

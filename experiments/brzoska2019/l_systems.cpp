@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "core/contract/errors.hpp"
+#include "core/random/counter_stream.hpp"
 #include "experiments/brzoska2019/thesis_l_systems.hpp"
 #include "experiments/experiment.hpp"
 #include "reference/oracles/brzoska2019_l_systems.hpp"
@@ -21,15 +21,6 @@ namespace literal = oracles::brzoska2019;
 
 std::vector<std::string> all_texts() {
   return {equation_4_text, equation_5_text, equation_6_text, equation_7_text()};
-}
-
-bool is_refused(const std::string& text) {
-  try {
-    thesis_l_system(text);
-  } catch (const InputError&) {
-    return true;
-  }
-  return false;
 }
 
 void record_words(ExperimentContext& context) {

@@ -19,10 +19,6 @@ namespace phytobench::experiments::brzoska2019 {
 
 namespace {
 
-std::int64_t whole(std::size_t number) {
-  return static_cast<std::int64_t>(number);
-}
-
 bool is_placed_alike(const Leaf& a, const Leaf& b) {
   return a.position == b.position && a.turned == b.turned;
 }

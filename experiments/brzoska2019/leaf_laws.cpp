@@ -20,10 +20,6 @@ namespace {
 constexpr double tip_radius = 0.007;
 constexpr std::size_t nodes = 50'000;  // that may carry leaves
 
-std::int64_t whole(std::size_t number) {
-  return static_cast<std::int64_t>(number);
-}
-
 /// A straight branch of edges of length 1, so that a leaf's x says on which edge it sits and where.
 Skeleton straight_branch() {
   Skeleton branch({0, 0, 0});

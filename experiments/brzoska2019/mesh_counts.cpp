@@ -15,10 +15,6 @@ namespace phytobench::experiments::brzoska2019 {
 
 namespace {
 
-std::int64_t whole(std::size_t number) {
-  return static_cast<std::int64_t>(number);
-}
-
 std::size_t distinct_places(const TriangleMesh& mesh) {
   std::set<std::array<double, 3>> places;
   for (const Vector3& p : mesh.positions) places.insert({p.x, p.y, p.z});

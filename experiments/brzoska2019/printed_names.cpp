@@ -17,10 +17,6 @@ namespace phytobench::experiments::brzoska2019 {
 
 namespace {
 
-std::int64_t whole(std::size_t number) {
-  return static_cast<std::int64_t>(number);
-}
-
 /// Of all groups, in order.
 struct Requirements {
   std::vector<std::string> set, answered, corrected, answers;

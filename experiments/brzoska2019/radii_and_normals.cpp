@@ -14,10 +14,6 @@ namespace phytobench::experiments::brzoska2019 {
 
 namespace {
 
-std::int64_t whole(std::size_t number) {
-  return static_cast<std::int64_t>(number);
-}
-
 /// Which nodes work out their radius and normal anew when a child is added.
 enum class Update {
   parent,        ///< the new node's parent, as the sentence of sec. 5.1 says

@@ -20,10 +20,6 @@ namespace phytobench::experiments::brzoska2019 {
 
 namespace {
 
-std::int64_t whole(std::size_t number) {
-  return static_cast<std::int64_t>(number);
-}
-
 double height_per_width(const BoundingBox& box) {
   const Vector3 extent = box.extent();
   return extent.y / std::max(extent.x, extent.z);

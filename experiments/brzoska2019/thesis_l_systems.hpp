@@ -2,16 +2,12 @@
 // The L-systems of [Brzoska2019] sec. 3.4.2 as the suite reads them, and words of theirs.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
-#include <fmt/format.h>
-
-#include "core/lsystem/derive.hpp"
-#include "core/lsystem/drawing.hpp"
 #include "core/lsystem/read_lsystem.hpp"
-#include "core/random/counter_stream.hpp"
+#include "experiments/l_system_words.hpp"
 
 namespace phytobench::experiments::brzoska2019 {
 
@@ -37,13 +33,6 @@ inline LSystem thesis_l_system(const std::string& text) {
   return parse_lsystem(text, "thesis");
 }
 
-inline Word derived(const LSystem& system, int steps, int threads = 1) {
-  DeriveOptions options;
-  options.steps = steps;
-  options.threads = threads;
-  return derive(system, options);
-}
-
 /// The system with another axiom, all of whose letters have one character and no parameters.
 inline LSystem with_axiom(LSystem system, std::string_view letters) {
   system.axiom.clear();
@@ -56,29 +45,6 @@ inline LSystem with_axiom(LSystem system, std::string_view letters) {
     system.axiom.push_back({*find_symbol(system, letter, 0), {}});
   }
   return system;
-}
-
-inline std::string word_after(const LSystem& system, int steps) {
-  return text_of(system, derived(system, steps));
-}
-
-/// What the turtle draws along a word that nothing replaces.
-inline Drawing drawn_word(std::string_view letters, double angle_deg) {
-  const LSystem system =
-      parse_lsystem(fmt::format("axiom: {}\nangle: {}\n", letters, angle_deg), "word");
-  return draw(system, axiom_word(system));
-}
-
-inline std::string random_letters(UnitStream& stream, std::string_view from, std::size_t count) {
-  std::string letters;
-  for (std::size_t i = 0; i < count; ++i)
-    letters +=
-        from[static_cast<std::size_t>(stream.next_unit() * static_cast<double>(from.size()))];
-  return letters;
-}
-
-inline std::int64_t whole(std::size_t number) {
-  return static_cast<std::int64_t>(number);
 }
 
 }  // namespace phytobench::experiments::brzoska2019

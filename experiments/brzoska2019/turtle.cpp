@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/lsystem/drawing_measures.hpp"
+#include "core/random/counter_stream.hpp"
 #include "experiments/brzoska2019/thesis_l_systems.hpp"
 #include "experiments/experiment.hpp"
 #include "reference/oracles/turtle_2d.hpp"

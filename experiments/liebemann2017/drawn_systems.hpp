@@ -12,9 +12,8 @@
 
 #include <fmt/format.h>
 
-#include "core/lsystem/derive.hpp"
-#include "core/lsystem/drawing.hpp"
 #include "core/lsystem/read_lsystem.hpp"
+#include "experiments/l_system_words.hpp"
 #include "reference/oracles/parametric_word.hpp"
 
 namespace phytobench::experiments::liebemann2017 {
@@ -50,12 +49,6 @@ inline LSystem space_tree_system(double pitch_deg, const std::string& settings =
                                    "p2 : F(l) -> F(l * lr)\n{}\n",
                                    pitch_deg, divergence_deg, growth, settings),
                        "equation 2.17");
-}
-
-inline Word derived(const LSystem& system, int steps) {
-  DeriveOptions options;
-  options.steps = steps;
-  return derive(system, options);
 }
 
 /// How many modules have that letter, whatever their parameters.

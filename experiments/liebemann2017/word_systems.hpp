@@ -2,12 +2,9 @@
 // The L-systems of [Liebemann2017] sec. 2.2 as the suite reads them, and words of theirs.
 #pragma once
 
-#include <cstdint>
 #include <string>
-#include <string_view>
 #include <utility>
 
-#include "core/contract/errors.hpp"
 #include "experiments/liebemann2017/drawn_systems.hpp"
 
 namespace phytobench::experiments::liebemann2017 {
@@ -26,19 +23,6 @@ inline LSystem parametric_system(const std::string& axiom = "A(1, 1)") {
       "equation 2.2");
 }
 
-inline std::string word_after(const LSystem& system, int steps) {
-  return text_of(system, derived(system, steps));
-}
-
-inline bool is_refused(const std::string& text) {
-  try {
-    parse_lsystem(text, "text");
-  } catch (const InputError&) {
-    return true;
-  }
-  return false;
-}
-
 /// The system with the word as its axiom.
 inline LSystem with_axiom(LSystem system, const Word& word) {
   system.axiom.clear();
@@ -51,10 +35,6 @@ inline LSystem with_axiom(LSystem system, const Word& word) {
     system.axiom.push_back(std::move(module));
   }
   return system;
-}
-
-inline std::int64_t whole(std::size_t number) {
-  return static_cast<std::int64_t>(number);
 }
 
 }  // namespace phytobench::experiments::liebemann2017

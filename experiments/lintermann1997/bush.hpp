@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "core/lsystem/derive.hpp"
 #include "core/lsystem/read_lsystem.hpp"
+#include "experiments/l_system_words.hpp"
 #include "reference/oracles/lintermann1997_bush.hpp"
 
 namespace phytobench::experiments::lintermann1997 {
@@ -40,13 +40,6 @@ inline LSystem bush_system(const BushPrint& print, std::string_view settings = "
       settings, slashes(print.slashes_first), slashes(print.slashes_second),
       slashes(print.slashes_stem), primes);
   return parse_lsystem(text, "bush");
-}
-
-inline Word derived(const LSystem& system, int steps, std::uint64_t seed = 0) {
-  DeriveOptions options;
-  options.steps = steps;
-  options.seed = seed;
-  return derive(system, options);
 }
 
 }  // namespace phytobench::experiments::lintermann1997
