@@ -12,41 +12,40 @@ namespace {
 /// Of the values that are tried one by one.
 constexpr std::int32_t most_max_NG = 40;
 
-/// Two points that the nodes between them never reach, and a branch that passes them, always a
-/// little farther away than those nodes are. The node between them comes to rest some day, whatever
-/// max_NG is.
-void measure_released_points(ExperimentContext& context) {
-  Seedling seedling = without_repeats(
-      scene({{-40, 0, 0}, {40, 0, 0}, {90, 0, 0}, {90, 60, 0}, {90, 120, 0}}, {0, -50, 0}, 100));
-  seedling.skeleton.append(0, {90, -50, 0});
-  const GrowthResult free = grow(seedling), released = grow(resting(seedling, 2));
-  context.record("passing-branch/unlimited/points_left",
-                 static_cast<std::int64_t>(free.live_points));
-  context.record("passing-branch/max_NG-2/points_left",
-                 static_cast<std::int64_t>(released.live_points));
-  context.record("passing-branch/max_NG-2/more_nodes", nodes_of(released) - nodes_of(free));
+/// What is left and what grows with the least value of max_NG that is of interest, and how many
+/// values from there on keep the tree.
+void record_resting(ExperimentContext& context, const std::string& name, const Seedling& seedling,
+                    std::int32_t least_max_NG) {
+  const GrowthResult free = grow(seedling), released = grow(resting(seedling, least_max_NG));
+  const std::string rested = fmt::format("{}/max_NG-{}/", name, least_max_NG);
+  context.record(name + "/unlimited/points_left", whole(free.live_points));
+  context.record(rested + "points_left", whole(released.live_points));
+  context.record(rested + "more_nodes", nodes_of(released) - nodes_of(free));
   std::int64_t same = 0;
-  for (std::int32_t max_NG = 2; max_NG <= most_max_NG; ++max_NG)
+  for (std::int32_t max_NG = least_max_NG; max_NG <= most_max_NG; ++max_NG)
     same += tree_hash(grow(resting(seedling, max_NG)).skeleton) == tree_hash(free.skeleton);
-  context.record("passing-branch/values_that_keep_the_tree", same);
+  context.record(name + "/values_that_keep_the_tree", same);
+}
+
+/// Two points beside the nodes that grow between them, and a branch that passes them, after three
+/// points of its own.
+Seedling two_points_and_a_branch(double root_y) {
+  Seedling seedling =
+      scene({{-40, 0, 0}, {40, 0, 0}, {90, 0, 0}, {90, 60, 0}, {90, 120, 0}}, {0, root_y, 0}, 100);
+  seedling.skeleton.append(0, {90, -50, 0});
+  return seedling;
+}
+
+/// The nodes between the points never reach them, and the branch is always a little farther away
+/// than those nodes are. The node between them comes to rest some day, whatever max_NG is.
+void measure_released_points(ExperimentContext& context) {
+  record_resting(context, "passing-branch", without_repeats(two_points_and_a_branch(-50)), 2);
 }
 
 /// The loop as printed but for its missing case: a node in the middle between two points has no
 /// direction, so it keeps its points and makes no node, until it comes to rest.
 void measure_balanced_node(ExperimentContext& context) {
-  Seedling seedling =
-      scene({{-40, 0, 0}, {40, 0, 0}, {90, 0, 0}, {90, 60, 0}, {90, 120, 0}}, {0, -45, 0}, 100);
-  seedling.skeleton.append(0, {90, -50, 0});
-  const GrowthResult free = grow(seedling), released = grow(resting(seedling, 1));
-  context.record("balanced-node/unlimited/points_left",
-                 static_cast<std::int64_t>(free.live_points));
-  context.record("balanced-node/max_NG-1/points_left",
-                 static_cast<std::int64_t>(released.live_points));
-  context.record("balanced-node/max_NG-1/more_nodes", nodes_of(released) - nodes_of(free));
-  std::int64_t same = 0;
-  for (std::int32_t max_NG = 1; max_NG <= most_max_NG; ++max_NG)
-    same += tree_hash(grow(resting(seedling, max_NG)).skeleton) == tree_hash(free.skeleton);
-  context.record("balanced-node/values_that_keep_the_tree", same);
+  record_resting(context, "balanced-node", two_points_and_a_branch(-45), 1);
 }
 
 /// Over the clouds, for one max_NG beside another condition.
