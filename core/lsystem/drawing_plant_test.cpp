@@ -11,6 +11,7 @@
 #include "core/lsystem/outline_triangles.hpp"
 #include "core/lsystem/test_words.hpp"
 #include "core/tree/gltf_export.hpp"
+#include "core/tree/mesh_measures.hpp"
 #include "core/tree/obj_export.hpp"
 
 namespace phytobench {
@@ -23,14 +24,6 @@ DrawingPlant plant_of(std::string_view text, double angle_deg = 90.0,
   return make_drawing_plant(words.system, word, options);
 }
 
-double area_of(const TriangleMesh& mesh) {
-  double sum = 0.0;
-  for (const Triangle& t : mesh.triangles)
-    sum += 0.5 * norm(cross(mesh.positions[t[1]] - mesh.positions[t[0]],
-                            mesh.positions[t[2]] - mesh.positions[t[0]]));
-  return sum;
-}
-
 TEST(DrawingPlantLaw, HasATubeForEachSegmentAndTwoSidesForEachPolygon) {
   const DrawingPlant plant = plant_of(bush_word(4, 5, 7, 5), 22.5);
   EXPECT_EQ(plant.branches.triangle_count(), 2u * 6u * 135u);
@@ -38,7 +31,7 @@ TEST(DrawingPlantLaw, HasATubeForEachSegmentAndTwoSidesForEachPolygon) {
   EXPECT_EQ(plant.leaves.triangle_count(), 42u * 2u * 4u);  // a hexagon is four triangles
   EXPECT_EQ(plant.leaf_colours.size(), plant.leaves.triangle_count());
   const double leaf = 2.0 * std::sin(std::acos(-1.0) / 8.0) + std::sin(std::acos(-1.0) / 4.0);
-  EXPECT_NEAR(area_of(plant.leaves), 2.0 * 42.0 * leaf, 1e-9);
+  EXPECT_NEAR(surface_area(plant.leaves), 2.0 * 42.0 * leaf, 1e-9);
 }
 
 TEST(DrawingPlantLaw, NormalsAreUnitVectorsOnTheTrianglesOwnSide) {
@@ -112,7 +105,7 @@ TEST(DrawingPlant, OfNothingIsNothing) {
 TEST(DrawingPlant, FillsConcaveLeaves) {
   // An L of three unit squares.
   const DrawingPlant l_shape = plant_of("{f(2)-f-f+f-f-f(2)}");
-  EXPECT_NEAR(area_of(l_shape.leaves), 2.0 * 3.0, 1e-12);
+  EXPECT_NEAR(surface_area(l_shape.leaves), 2.0 * 3.0, 1e-12);
 }
 
 TEST(DrawingPlant, MakesObjectsForTheExports) {

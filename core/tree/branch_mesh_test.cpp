@@ -2,14 +2,13 @@
 #include "core/tree/branch_mesh.hpp"
 
 #include <cmath>
-#include <map>
-#include <set>
 
 #include <gtest/gtest.h>
 
 #include "core/colonization/tree_parameters.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 #include "core/tree/branches.hpp"
+#include "core/tree/mesh_measures.hpp"
 
 namespace phytobench {
 namespace {
@@ -38,41 +37,6 @@ Skeleton hanging_tree() {
     tree.append(i, tree.position(i) + (i < 6 ? Vector3{0.05, -0.5, 0} : Vector3{0, -0.5, 0.05}));
   return tree;
 }
-
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
-
-/// Vertices at one place count as one, as a viewer sees them.
-class Topology {
- public:
-  explicit Topology(const TriangleMesh& mesh) {
-    std::map<std::array<double, 3>, std::uint32_t> at;
-    std::vector<std::uint32_t> number;
-    for (const Vector3& p : mesh.positions)
-      number.push_back(
-          at.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(at.size())).first->second);
-    vertices = at.size();
-    faces = mesh.triangle_count();
-    for (const Triangle& t : mesh.triangles)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t a = number[t[i]], b = number[t[(i + 1) % 3]];
-        ++faces_at[std::minmax(a, b)];
-        ++directed[{a, b}];
-      }
-  }
-  long characteristic() const {
-    return static_cast<long>(vertices) - static_cast<long>(faces_at.size()) +
-           static_cast<long>(faces);
-  }
-  std::size_t boundary_edges() const {
-    std::size_t count = 0;
-    for (const auto& [edge, faces_here] : faces_at) count += faces_here == 1;
-    return count;
-  }
-
-  std::size_t vertices = 0, faces = 0;
-  std::map<Edge, int> faces_at;
-  std::map<Edge, int> directed;
-};
 
 TEST(Ring, IsARegularPolygonAboutItsCenter) {
   const Vector3 center{1, 2, 3}, normal = Vector3{1, 2, -2} / 3.0;
@@ -113,16 +77,16 @@ TEST(MeshBranches, ATubeOfFourHexagonsHasThirtySixTriangles) {
       mesh_branches(tube, branch_radii(tube, 0.1, 2.0), {.circle_resolution = 6});
   EXPECT_EQ(result.mesh.vertex_count(), 28u);
   EXPECT_EQ(result.mesh.triangle_count(), 36u);
-  const Topology topology(result.mesh);
-  EXPECT_EQ(topology.vertices, 24u);
-  EXPECT_EQ(topology.characteristic(), 0);        // a cylinder
-  EXPECT_EQ(topology.boundary_edges(), 2u * 6u);  // open at both ends
+  const SurfaceEdges edges(result.mesh);
+  EXPECT_EQ(edges.places(), 24u);
+  EXPECT_EQ(edges.euler_characteristic(), 0);  // a cylinder
+  EXPECT_EQ(edges.boundary_edges(), 2u * 6u);  // open at both ends
 }
 
 TEST(MeshBranchesLaw, EveryTipAndTheRootStayOpen) {
   const Skeleton tree = grown_tree();
   const BranchMesh result = mesh_branches(tree, branch_radii(tree, 0.007, 1.9), {});
-  const Topology topology(result.mesh);
+  const SurfaceEdges edges(result.mesh);
   // A ring of w corners that k branches leave: its w edges have k + 1 faces, or 1 at an end. A
   // duplicate is a ring of its own, which only its branch leaves.
   const std::size_t ends = tip_count(tree) + 1 + result.duplicated_rings;
@@ -136,7 +100,7 @@ TEST(MeshBranchesLaw, EveryTipAndTheRootStayOpen) {
           return needs_own_ring(radii[static_cast<std::size_t>(child)], radii[node], 0.49);
         });
   }
-  EXPECT_EQ(topology.boundary_edges(), 3 * (ends + closed_by_duplicates));
+  EXPECT_EQ(edges.boundary_edges(), 3 * (ends + closed_by_duplicates));
 }
 
 /// Euler's number: a tube adds w corners, 3 w edges (ring, side, diagonal) and 2 w faces, so
@@ -146,7 +110,7 @@ TEST(MeshBranchesLaw, EulerCharacteristicIsZero) {
   for (const int w : {3, 5, 8}) {
     const BranchMesh result =
         mesh_branches(tree, branch_radii(tree, 0.007, 1.9), {.circle_resolution = w});
-    EXPECT_EQ(Topology(result.mesh).characteristic(), 0);
+    EXPECT_EQ(SurfaceEdges(result.mesh).euler_characteristic(), 0);
   }
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Whether the thesis' plants are what it says of them: hanging branches, meshes, leaves, parts.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <numeric>
 
 #include "core/tree/branches.hpp"
+#include "core/tree/mesh_measures.hpp"
 #include "core/tree/plant.hpp"
 #include "experiments/brzoska2019/thesis_tree.hpp"
 #include "experiments/experiment.hpp"
@@ -15,10 +14,6 @@
 namespace phytobench::experiments::brzoska2019 {
 
 namespace {
-
-std::int64_t whole(std::size_t number) {
-  return static_cast<std::int64_t>(number);
-}
 
 double mean_tip_height(const Skeleton& tree) {
   const ChildLists children(tree);
@@ -207,35 +202,6 @@ MeshLaws laws_of(const Plant& plant, const PlantParameters& parameters) {
   return laws;
 }
 
-struct Topology {
-  std::int64_t characteristic = 0;
-  std::int64_t boundary_edges = 0;
-};
-
-/// Vertices at one place count as one, as a viewer sees them.
-Topology topology_of(const TriangleMesh& mesh) {
-  std::map<std::array<double, 3>, std::uint32_t> number_at;
-  std::vector<std::uint32_t> number;
-  for (const Vector3& p : mesh.positions)
-    number.push_back(
-        number_at.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(number_at.size()))
-            .first->second);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (const Triangle& t : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      edges.push_back(std::minmax({number[t[i]], number[t[(i + 1) % 3]]}));
-  std::sort(edges.begin(), edges.end());
-  std::int64_t different = 0, single = 0;
-  for (std::size_t i = 0, next = 0; i < edges.size(); i = next) {
-    while (next < edges.size() && edges[next] == edges[i]) ++next;
-    ++different;
-    single += next - i == 1;
-  }
-  return {static_cast<std::int64_t>(number_at.size()) - different +
-              static_cast<std::int64_t>(mesh.triangle_count()),
-          single};
-}
-
 /// Open ends that the skeleton asks for: the root, every tip, every ring of a branch's own, and
 /// every ring that all branches above leave through rings of their own.
 std::int64_t expected_loops(const Plant& plant, double duplicate_ratio) {
@@ -253,10 +219,10 @@ std::int64_t expected_loops(const Plant& plant, double duplicate_ratio) {
 
 void record_topology(ExperimentContext& context, const std::string& name, const Plant& plant,
                      const BranchMeshOptions& options) {
-  const Topology topology = topology_of(plant.branches.mesh);
-  context.record(name + "/euler_characteristic", topology.characteristic);
+  const SurfaceEdges edges(plant.branches.mesh);
+  context.record(name + "/euler_characteristic", edges.euler_characteristic());
   context.record(name + "/boundary_loops",
-                 static_cast<double>(topology.boundary_edges) / options.circle_resolution);
+                 static_cast<double>(edges.boundary_edges()) / options.circle_resolution);
   context.record(name + "/expected_loops",
                  static_cast<double>(expected_loops(plant, options.duplicate_ratio)));
 }

@@ -2,9 +2,9 @@
 // Sec. 4 and figure 3: volumes and surfaces of the bodies of a simple component, and of a horn that
 // is made of point sets joined by triangles.
 #include "core/component_graph/shapes/outward_frame.hpp"
+#include "core/tree/mesh_measures.hpp"
 #include "experiments/experiment.hpp"
 #include "experiments/lintermann1997/single_component.hpp"
-#include "experiments/lintermann1997/surface_measures.hpp"
 
 namespace phytobench::experiments::lintermann1997 {
 
@@ -12,9 +12,9 @@ namespace {
 
 void record_topology(ExperimentContext& context, const std::string& name,
                      const TriangleMesh& mesh) {
-  const SurfaceTopology topology = topology_of(mesh);
-  context.record(name + "open_edges", topology.open_edges);
-  context.record(name + "euler_characteristic", topology.euler);
+  const SurfaceEdges edges(mesh);
+  context.record(name + "open_edges", whole(edges.open_edges()));
+  context.record(name + "euler_characteristic", edges.euler_characteristic());
 }
 
 void record_bodies(ExperimentContext& context) {
@@ -55,7 +55,7 @@ void record_cone(ExperimentContext& context) {
   record_topology(context, "horn/", horn("bend_first = 20\nbend_last = -9"));
   const TriangleMesh tube = horn("radius_first = 0.3\nradius_last = 0.1\ncaps = \"none\"");
   context.record("horn/without_ends/triangles", static_cast<std::int64_t>(tube.triangle_count()));
-  context.record("horn/without_ends/open_edges", topology_of(tube).open_edges);
+  context.record("horn/without_ends/open_edges", whole(SurfaceEdges(tube).open_edges()));
   const TriangleMesh cone = horn("radius_first = 0.3\nradius_last = 0\ncaps = \"none\"");
   context.record("horn/pointed/triangles", static_cast<std::int64_t>(cone.triangle_count()));
 }

@@ -3,9 +3,9 @@
 #include <array>
 
 #include "core/component_graph/shapes/outward_frame.hpp"
+#include "core/tree/mesh_measures.hpp"
 #include "experiments/experiment.hpp"
 #include "experiments/lintermann1997/single_component.hpp"
-#include "experiments/lintermann1997/surface_measures.hpp"
 
 namespace phytobench::experiments::lintermann1997 {
 

@@ -37,7 +37,7 @@ TEST(HornLaw, AStraightOneIsAFrustumWithThatVolume) {
   horn.set("length", 2.0).set("radius_first", 0.3).set("radius_last", 0.1).set("corners", 7.0);
   const TriangleMesh mesh = horn.mesh();
   const double polygon = 3.5 * std::sin(2.0 * std::numbers::pi / 7.0);  // of a circle of radius 1
-  EXPECT_NEAR(volume(mesh), polygon * 2.0 / 3.0 * (0.09 + 0.03 + 0.01), 1e-12);
+  EXPECT_NEAR(enclosed_volume(mesh), polygon * 2.0 / 3.0 * (0.09 + 0.03 + 0.01), 1e-12);
   EXPECT_EQ(horn.child().origin, (Vector3{0.0, 2.0, 0.0}));
 }
 
@@ -45,13 +45,13 @@ TEST(Horn, IsClosedWhereItHasCaps) {
   for (const double last : {0.02, 0.0}) {
     Tried horn("horn");
     horn.set("radius_last", last).set("bend_first", 8.0).set("bend_last", -3.0).set("corners", 5.0);
-    const Surroundings both(horn.mesh());
+    const SurfaceEdges both(horn.mesh());
     EXPECT_TRUE(both.is_closed());
-    EXPECT_EQ(both.characteristic(), 2);
-    EXPECT_GT(volume(horn.mesh()), 0.0);
+    EXPECT_EQ(both.euler_characteristic(), 2);
+    EXPECT_GT(enclosed_volume(horn.mesh()), 0.0);
     EXPECT_TRUE(normals_fit(horn.mesh()));
-    EXPECT_EQ(Surroundings(horn.set_word("caps", "end").mesh()).open_edges(), 5u);
-    EXPECT_EQ(Surroundings(horn.set_word("caps", "none").mesh()).open_edges(),
+    EXPECT_EQ(SurfaceEdges(horn.set_word("caps", "end").mesh()).open_edges(), 5u);
+    EXPECT_EQ(SurfaceEdges(horn.set_word("caps", "none").mesh()).open_edges(),
               last > 0.0 ? 10u : 5u);
   }
 }

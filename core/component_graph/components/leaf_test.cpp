@@ -40,11 +40,11 @@ TEST(HalfWidthSpline, IsNeverNegativeAndHasNoCorners) {
 TEST(LeafLaw, AFlatOneHasTheAreaOfItsOutlineOnBothSides) {
   Tried leaf = flat_leaf();
   leaf.set("length", 3.0).set("width", 0.8).set_list("outline", {1.0, 1.0});
-  EXPECT_NEAR(area(leaf.mesh()), 2.0 * 3.0 * 0.8, 1e-12);
+  EXPECT_NEAR(surface_area(leaf.mesh()), 2.0 * 3.0 * 0.8, 1e-12);
   leaf.set_list("outline", {1.0, 0.0});
-  EXPECT_NEAR(area(leaf.mesh()), 3.0 * 0.8, 1e-12);
+  EXPECT_NEAR(surface_area(leaf.mesh()), 3.0 * 0.8, 1e-12);
   // Folding only turns the halves.
-  EXPECT_NEAR(area(leaf.set("fold", 35.0).mesh()), 3.0 * 0.8, 1e-12);
+  EXPECT_NEAR(surface_area(leaf.set("fold", 35.0).mesh()), 3.0 * 0.8, 1e-12);
 }
 
 TEST(Leaf, TheUpperSideLooksToTheAxisAndTheLowerSideBack) {
@@ -57,7 +57,7 @@ TEST(Leaf, TheUpperSideLooksToTheAxisAndTheLowerSideBack) {
   }
   Tried formed("leaf");
   formed.set("wave_height", 0.2).set("fold", 30.0).set("bend", 80.0);
-  EXPECT_EQ(Surroundings(formed.mesh()).open_edges(), 0u);
+  EXPECT_EQ(SurfaceEdges(formed.mesh()).open_edges(), 0u);
 }
 
 TEST(LeafLaw, TheMiddleIsAnArcOfTheLeafsLength) {

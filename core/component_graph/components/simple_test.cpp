@@ -20,10 +20,10 @@ TEST(SimpleLaw, BodiesAreClosedAndLookOutwards) {
     for (const double corners : {3.0, 4.0, 7.0, 24.0}) {
       Tried simple = sized(shape);
       const TriangleMesh mesh = simple.set("corners", corners).mesh();
-      const Surroundings edges(mesh);
+      const SurfaceEdges edges(mesh);
       EXPECT_TRUE(edges.is_closed()) << shape << ' ' << corners;
-      EXPECT_EQ(edges.characteristic(), 2) << shape << ' ' << corners;
-      EXPECT_GT(volume(mesh), 0.0);
+      EXPECT_EQ(edges.euler_characteristic(), 2) << shape << ' ' << corners;
+      EXPECT_GT(enclosed_volume(mesh), 0.0);
       for (const Vector3& normal : mesh.normals) EXPECT_NEAR(norm(normal), 1.0, 1e-12);
     }
     EXPECT_TRUE(normals_fit(sized(shape).mesh())) << shape;
@@ -31,16 +31,17 @@ TEST(SimpleLaw, BodiesAreClosedAndLookOutwards) {
 }
 
 TEST(SimpleLaw, TheyHaveTheVolumesOfTheirFormulas) {
-  EXPECT_NEAR(volume(sized("box").mesh()), 3.0, 1e-12);
+  EXPECT_NEAR(enclosed_volume(sized("box").mesh()), 3.0, 1e-12);
   Tried cylinder = sized("cylinder");
   const double polygon = 6.0 * std::sin(2.0 * std::numbers::pi / 12.0);
-  EXPECT_NEAR(volume(cylinder.set("corners", 12.0).mesh()), polygon * 1.0 * 0.25 * 3.0, 1e-12);
+  EXPECT_NEAR(enclosed_volume(cylinder.set("corners", 12.0).mesh()), polygon * 1.0 * 0.25 * 3.0,
+              1e-12);
   // A mesh within the ellipsoid comes nearer with every corner.
   Tried sphere = sized("sphere");
   const double full = 4.0 / 3.0 * std::numbers::pi * 1.0 * 1.5 * 0.25;
   double missing = full;
   for (const double corners : {8.0, 16.0, 32.0, 64.0}) {
-    const double now = full - volume(sphere.set("corners", corners).mesh());
+    const double now = full - enclosed_volume(sphere.set("corners", corners).mesh());
     EXPECT_GT(now, 0.0);
     EXPECT_LT(now, 0.3 * missing);
     missing = now;
@@ -100,11 +101,11 @@ TEST(SimpleLaw, OppositeTurnsAboutOneAxisCancel) {
 TEST(ComponentFixture, ItsMeasuresCanFail) {
   TriangleMesh hole = sized("box").mesh();
   hole.triangles.pop_back();
-  EXPECT_FALSE(Surroundings(hole).is_closed());
-  EXPECT_EQ(Surroundings(hole).open_edges(), 3u);
+  EXPECT_FALSE(SurfaceEdges(hole).is_closed());
+  EXPECT_EQ(SurfaceEdges(hole).open_edges(), 3u);
   TriangleMesh turned = sized("sphere").mesh();
   std::swap(turned.triangles[0][0], turned.triangles[0][1]);
-  EXPECT_FALSE(Surroundings(turned).is_closed());
+  EXPECT_FALSE(SurfaceEdges(turned).is_closed());
   EXPECT_FALSE(normals_fit(turned));
 }
 

@@ -140,8 +140,8 @@ TEST(TreeLaw, TwiceTheLengthsAreTwiceThePlaces) {
 TEST(Tree, IsClosedHoweverItIsBent) {
   Tried tree = leaning_tree(70.0);
   tree.set("gravitropism", 400.0).set("crookedness", 10.0);
-  EXPECT_TRUE(Surroundings(tree.mesh()).is_closed());
-  EXPECT_GT(volume(tree.mesh()), 0.0);
+  EXPECT_TRUE(SurfaceEdges(tree.mesh()).is_closed());
+  EXPECT_GT(enclosed_volume(tree.mesh()), 0.0);
 }
 
 }  // namespace

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Single components with settings by name, and what can be measured of meshes, for tests.
+// Single components with settings by name, and what must hold of their meshes, for tests.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <string_view>
 #include <utility>
@@ -12,6 +11,7 @@
 
 #include "core/component_graph/component_registry.hpp"
 #include "core/component_graph/prototype.hpp"
+#include "core/tree/mesh_measures.hpp"
 
 namespace phytobench::component_fixture {
 
@@ -83,65 +83,6 @@ class Tried {
 
   Prototype prototype_;
 };
-
-/// Edges of a mesh whose vertices at one place count as one.
-class Surroundings {
- public:
-  explicit Surroundings(const TriangleMesh& mesh) : faces_(mesh.triangle_count()) {
-    std::map<std::array<double, 3>, std::uint32_t> at;
-    std::vector<std::uint32_t> number;
-    for (const Vector3& p : mesh.positions)
-      number.push_back(
-          at.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(at.size())).first->second);
-    vertices_ = at.size();
-    for (const Triangle& t : mesh.triangles)
-      for (std::size_t i = 0; i < 3; ++i) ++directed_[{number[t[i]], number[t[(i + 1) % 3]]}];
-  }
-
-  /// Edges with a face on one side only.
-  std::size_t open_edges() const {
-    return static_cast<std::size_t>(
-        std::count_if(directed_.begin(), directed_.end(),
-                      [&](const auto& edge) { return times_back(edge) == 0; }));
-  }
-  /// Every edge lies between two faces that look to the same side.
-  bool is_closed() const {
-    return std::all_of(directed_.begin(), directed_.end(),
-                       [&](const auto& edge) { return edge.second == 1 && times_back(edge) == 1; });
-  }
-  /// Euler's number of a closed surface: 2 for a ball.
-  long characteristic() const {
-    return static_cast<long>(vertices_) - static_cast<long>(directed_.size() / 2) +
-           static_cast<long>(faces_);
-  }
-
- private:
-  using Edge = std::pair<std::uint32_t, std::uint32_t>;
-  int times_back(const std::pair<const Edge, int>& edge) const {
-    const auto back = directed_.find({edge.first.second, edge.first.first});
-    return back == directed_.end() ? 0 : back->second;
-  }
-
-  std::size_t vertices_ = 0, faces_ = 0;
-  std::map<Edge, int> directed_;
-};
-
-/// Positive where the triangles of a closed surface look outwards.
-inline double volume(const TriangleMesh& mesh) {
-  double sum = 0.0;
-  for (const Triangle& t : mesh.triangles)
-    sum += dot(mesh.positions[t[0]], cross(mesh.positions[t[1]], mesh.positions[t[2]])) / 6.0;
-  return sum;
-}
-
-inline double area(const TriangleMesh& mesh) {
-  double sum = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vector3& a = mesh.positions[t[0]];
-    sum += 0.5 * norm(cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a));
-  }
-  return sum;
-}
 
 /// Normals look to the side that their triangles look to.
 inline bool normals_fit(const TriangleMesh& mesh) {
