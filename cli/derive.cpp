@@ -16,6 +16,7 @@
 #include "core/contract/errors.hpp"
 #include "core/contract/text_file.hpp"
 #include "core/lsystem/read_lsystem.hpp"
+#include "core/lsystem/unused_productions.hpp"
 #include "core/memory/keep_freed_memory.hpp"
 #include "reference/lsystem_presets.hpp"
 
@@ -83,6 +84,16 @@ LSystem system_of(const LSystemDeriveOptions& options) {
   return system;
 }
 
+/// What no step asks for is a slip more often than not.
+void warn_of_unused_productions(const LSystem& system) {
+  constexpr std::size_t most_lines = 10;
+  const std::vector<std::string> lines = unused_productions(system);
+  for (std::size_t i = 0; i < std::min(lines.size(), most_lines); ++i) tell("warning: " + lines[i]);
+  if (lines.size() > most_lines)
+    tell(fmt::format("warning: {}: {} productions more are never used", system.source,
+                     lines.size() - most_lines));
+}
+
 Word derived(const LSystem& system, const LSystemDeriveOptions& options) {
   phytobench::DeriveOptions derivation;
   derivation.steps = system.steps;
@@ -145,6 +156,7 @@ int derive(const LSystemDeriveOptions& given) {
   if (!options.preset.empty()) options.system = lsystem_preset_file(options.preset).string();
   const LSystem system = system_of(options);
   refuse_wrong_files(options);
+  warn_of_unused_productions(system);
   keep_freed_memory();
   catch_interrupts();  // from here on there are steps to stop between
   const DeriveFindings findings = findings_of(system, options);

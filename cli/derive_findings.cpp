@@ -61,7 +61,7 @@ std::string why_not_predicted(const LSystem& system) {
   if (kind.contextual) return "successors depend on contexts";
   if (kind.conditional) return "successors depend on conditions";
   if (kind.stochastic_choice) return "successors are drawn by lot";
-  return "the numbers are too long to be counted by the matrix";
+  return "counting so long numbers in so many steps by the matrix would take too long";
 }
 
 }  // namespace
@@ -125,7 +125,8 @@ std::optional<TurtleTree> add_tree(DeriveFindings& findings, const LSystem& syst
   constexpr std::uint64_t most_segments = 4'000'000;
   PHYTOBENCH_EXPECT(findings.drawn.has_value());
   if (findings.drawn->segments == 0) {
-    findings.no_tree = "nothing is drawn";
+    findings.no_tree =
+        findings.drawn->polygons == 0 ? "nothing is drawn" : "only polygons are drawn";
     return std::nullopt;
   }
   if (findings.drawn->segments > most_segments) {

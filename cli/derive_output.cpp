@@ -116,6 +116,8 @@ std::string symbol_table(const LSystem& system, const DeriveFindings& findings) 
     text += fmt::format("  {:>{}}\n", row.predicted, predicted);
   }
   if (!findings.predicted) text += "-: not predicted, " + findings.not_predicted + "\n";
+  if (!findings.predicted && !findings.modules)
+    text += "a count of -: more than 18446744073709551615\n";
   return text;
 }
 
@@ -125,10 +127,11 @@ std::string in_steps(int steps) {
 
 std::string word_line(const DeriveFindings& findings, const LSystemDeriveOptions& options) {
   if (findings.made) return "";
+  const bool is_counted = findings.modules || findings.predicted;
   return fmt::format(
-      "\nthe word is counted, not made: it has more than {:.0f} modules (--most-modules) or four "
+      "\nthe word is {}: it has more than {:.0f} modules (--most-modules) or four "
       "times as many parameters; {}\n",
-      options.most_modules,
+      is_counted ? "counted, not made" : "neither counted nor made", options.most_modules,
       *findings.longest_made < 0 ? "so has the axiom"
                                  : in_steps(*findings.longest_made) + " are the most");
 }
@@ -137,8 +140,10 @@ std::string drawing_lines(const DeriveFindings& findings) {
   if (!findings.drawn) return "\nnot drawn: " + findings.not_drawn + "\n";
   const DrawnExtent& drawn = *findings.drawn;
   if (drawn.segments == 0 && drawn.polygons == 0) return "\nnothing is drawn\n";
-  std::string text = fmt::format("\n{} segments of total length {:.10g}{}\n", drawn.segments,
-                                 drawn.length, findings.made ? "" : ", drawn without the word");
+  std::string text = "\n";
+  if (drawn.segments > 0)
+    text += fmt::format("{} segments of total length {:.10g}{}\n", drawn.segments, drawn.length,
+                        findings.made ? "" : ", drawn without the word");
   if (!drawn.segment_box.empty()) text += "box " + box_text(drawn.segment_box) + "\n";
   if (drawn.polygons == 0) return text;
   text += fmt::format("{} polygons", drawn.polygons);

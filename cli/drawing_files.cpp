@@ -53,6 +53,18 @@ std::string segment_table(const Drawing& drawing) {
   return csv;
 }
 
+/// A table of no segments would look like a drawing of nothing.
+void refuse_empty_table(const LSystem& system, const Drawing& drawing,
+                        const std::vector<std::string>& names) {
+  if (!drawing.segments.empty()) return;
+  for (const std::string& name : names)
+    if (extension_of(name) == ".csv")
+      throw InputError(
+          fmt::format("--out {}: {} draws polygons alone at step {}, and the table has segments "
+                      "alone; name a model or picture instead",
+                      name, system.source, system.steps));
+}
+
 std::string svg_picture(const LSystem& system, const Drawing& drawing,
                         const LSystemDeriveOptions& options) {
   DrawingSvgOptions svg;
@@ -104,6 +116,7 @@ std::vector<FileContent> drawing_files(const LSystem& system, const Word& word,
     throw InputError(fmt::format(
         "{}: nothing is drawn at step {}, so that there is nothing to write; leave out --out",
         system.source, system.steps));
+  refuse_empty_table(system, drawing, options.out);
   std::vector<SceneObject> objects;
   if (std::any_of(options.out.begin(), options.out.end(), needs_mesh))
     objects = mesh_objects(system, drawing, tree);

@@ -29,9 +29,6 @@ struct PredictedSymbols {
 /// contexts, and where the numbers would be so long that counting takes more than some seconds.
 std::optional<PredictedSymbols> predicted_symbols(const LSystem& system, int steps);
 
-/// Whether only the length of the numbers keeps predicted_symbols() from counting.
-bool is_too_long_to_predict(const LSystem& system, int steps);
-
 /// What numbers of symbols that were made have against the prediction, in one line; empty if
 /// nothing.
 std::string symbol_count_disagreement(const LSystem& system, std::span<const std::uint64_t> made,

@@ -9,7 +9,9 @@ namespace phytobench::cli {
 void add_derive(CLI::App& app, Commands& commands) {
   LSystemDeriveOptions& options = commands.derive;
   CLI::App* sub = app.add_subcommand("derive", "Derive an L-system and draw its word");
-  sub->add_option("system", options.system, "An L-system; see --example explained");
+  sub->add_option(
+      "system", options.system,
+      "An L-system; see --example explained. What % cuts off is not drawn; the word keeps it");
   sub->add_option("--preset", options.preset,
                   "A file that comes with the program; see phytobench list lsystems");
   sub->add_option("--steps", options.steps, "Derivations, instead of those in the file")

@@ -12,29 +12,26 @@ using Successors = std::vector<std::vector<SymbolIndex>>;
 
 /// A quarter of a second-level cache or less.
 constexpr std::size_t most_bytes = std::size_t{1} << 17;
-/// Enough for everything that grows faster than linearly.
-constexpr int most_composed = 64;
 
 std::span<const SymbolIndex> run_of(const SymbolRun& run) {
   return {run.first, run.count};
 }
 
-std::size_t composed_bytes(const ProductionTable& table, const Successors& successors) {
+std::size_t composed_bytes(const Successors& first, const Successors& then) {
   std::size_t bytes = 0;
-  for (std::size_t s = 0; s < successors.size(); ++s)
-    for (const SymbolIndex part : run_of(table.symbol_runs()[s])) {
-      bytes += successors[part].size();
+  for (const auto& successor : first)
+    for (const SymbolIndex part : successor) {
+      bytes += then[part].size();
       if (bytes > most_bytes) return bytes;
     }
   return bytes;
 }
 
-/// One step, and then those of `successors`.
-Successors composed(const ProductionTable& table, const Successors& successors) {
-  Successors longer(successors.size());
-  for (std::size_t s = 0; s < successors.size(); ++s)
-    for (const SymbolIndex part : run_of(table.symbol_runs()[s]))
-      longer[s].insert(longer[s].end(), successors[part].begin(), successors[part].end());
+Successors composed(const Successors& first, const Successors& then) {
+  Successors longer(first.size());
+  for (std::size_t s = 0; s < first.size(); ++s)
+    for (const SymbolIndex part : first[s])
+      longer[s].insert(longer[s].end(), then[part].begin(), then[part].end());
   return longer;
 }
 
@@ -42,15 +39,21 @@ Successors composed(const ProductionTable& table, const Successors& successors) 
 
 ComposedSuccessors::ComposedSuccessors(const ProductionTable& table, std::size_t symbol_count,
                                        int most_steps) {
-  Successors successors;
+  Successors single;
   for (std::size_t s = 0; s < symbol_count; ++s) {
     const auto run = run_of(table.symbol_runs()[s]);
-    successors.emplace_back(run.begin(), run.end());
+    single.emplace_back(run.begin(), run.end());
   }
-  while (steps_ < std::min(most_steps, most_composed) &&
-         composed_bytes(table, successors) <= most_bytes) {
-    successors = composed(table, successors);
+  Successors successors = single;
+  while (steps_ < std::min(most_steps, most_counted) &&
+         composed_bytes(single, successors) <= most_bytes) {
+    successors = composed(single, successors);
     ++steps_;
+  }
+  while (steps_ >= most_counted && steps_ <= most_steps / 2 &&
+         composed_bytes(successors, successors) <= most_bytes) {
+    successors = composed(successors, successors);
+    steps_ *= 2;
   }
   for (const auto& successor : successors)
     pool_.insert(pool_.end(), successor.begin(), successor.end());

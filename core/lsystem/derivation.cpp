@@ -21,6 +21,13 @@ constexpr std::size_t block_modules = 16384;
 /// Between two pauses; some tens of milliseconds.
 constexpr std::size_t blocks_per_wave = 256;
 
+/// About a million modules are written for each block; where many steps fit, few grow much.
+std::size_t block_modules_of(const ComposedSuccessors& successors) {
+  if (successors.steps() > ComposedSuccessors::most_counted) return block_modules;
+  return std::clamp(std::size_t{1 << 20} / (successors.longest() + 1), std::size_t{1},
+                    block_modules);
+}
+
 }  // namespace
 
 Derivation::Derivation(const LSystem& system, const DeriveOptions& options)
@@ -93,19 +100,32 @@ void Derivation::finish_step(int step) {
   if (options_.each_word) options_.each_word(step, now_.word);
 }
 
+/// Single steps while the word is short, then more and more at once.
 void Derivation::run_composed() {
-  const ComposedSuccessors composed(table_, system_.symbols.size(), options_.steps);
-  const std::size_t short_blocks =
-      std::clamp(std::size_t{1 << 20} / (composed.longest() + 1), std::size_t{1}, block_modules);
+  struct Stretch {
+    ComposedSuccessors successors;
+    int times;
+  };
+  std::vector<Stretch> stretches;
+  int rest = options_.steps;
+  do {
+    ComposedSuccessors successors(table_, system_.symbols.size(), rest);
+    const int times = rest / successors.steps();
+    rest %= successors.steps();
+    stretches.push_back({std::move(successors), times});
+  } while (rest >= ComposedSuccessors::most_counted);
   int step = 0;
-  while (step < options_.steps % composed.steps()) {
+  while (step < rest) {
     ask_go_on(++step);
     step_fixed(step, table_.symbol_runs(), block_modules);
   }
-  while (step < options_.steps) {
-    step += composed.steps();
-    ask_go_on(step);
-    step_fixed(step, composed.runs(), short_blocks);
+  for (; !stretches.empty(); stretches.pop_back()) {
+    const auto& [successors, times] = stretches.back();
+    for (int i = 0; i < times; ++i) {
+      step += successors.steps();
+      ask_go_on(step);
+      step_fixed(step, successors.runs(), block_modules_of(successors));
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include "core/lsystem/derivation_engine.hpp"
 #include "core/lsystem/derive.hpp"
 #include "core/lsystem/read_lsystem.hpp"
+#include "core/lsystem/word.hpp"
 
 namespace phytobench {
 namespace {
@@ -39,6 +40,27 @@ TEST(DerivationWork, IsLessWhereWordsArePassedOver) {
   EXPECT_EQ(work_of(letters, 12, true).modules_written, 8190u);
   EXPECT_LT(work_of(letters, 12, false).modules_written, 8190u);
   EXPECT_GE(work_of(letters, 12, false).modules_written, 4096u);
+}
+
+/// By single steps of a word of n modules it would be half of n squared.
+TEST(DerivationWork, IsLinearWhereWordsGrowLinearly) {
+  const LSystem chain = parse_lsystem("axiom: A\nA -> F[+A]\n", "chain");
+  for (const int steps : {20'000, 100'003, 1'000'000})
+    EXPECT_LT(work_of(chain, steps, false).modules_written, 70u * 4u * static_cast<unsigned>(steps))
+        << steps;
+}
+
+TEST(DerivationWork, OfManyStepsAtOnceIsOfTheSameWord) {
+  const LSystem system =
+      parse_lsystem("axiom: AD\nA -> F[+A]\nF -> B\nB -> *\nD -> E\nE -> D-\n", "chain");
+  DeriveOptions options;
+  for (const int steps : {63, 64, 127, 128, 129, 1000, 4097}) {
+    options.steps = steps;
+    options.each_word = {};
+    const Word at_once = derive(system, options);
+    options.each_word = [](int, const Word&) {};
+    EXPECT_EQ(word_hash(system, at_once), word_hash(system, derive(system, options))) << steps;
+  }
 }
 
 TEST(DerivationWork, CountsProductionsByPolicy) {

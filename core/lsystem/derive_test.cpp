@@ -311,6 +311,17 @@ TEST(DeriveRefuses, ConditionsWithoutAValue) {
   EXPECT_TRUE(contains(message, "module 2 of the word before step 1")) << message;
 }
 
+TEST(DeriveRefuses, ConditionsThatCompareWithWhatIsNoNumber) {
+  for (const char* condition : {"1 / x < 2", "x / x == 1", "x == 0 && sqrt(x - 1) < 2"}) {
+    const std::string message =
+        refusal(std::string("axiom: B(0)A(0)\np7: A(x) : ") + condition + " -> B(0)\n", 1);
+    EXPECT_TRUE(
+        contains(message, "test.lsys:2:5: p7 has a condition without a finite value for A(0)"))
+        << message;
+  }
+  EXPECT_EQ(refusal("axiom: A(0)\nA(x) : x > 0 && 1 / x < 2 -> B\n", 1), "");
+}
+
 TEST(DeriveRefuses, TheFirstFaultWithAnyNumberOfThreads) {
   std::string text = "axiom: ";
   for (int i = 0; i < 60'000; ++i) text += i == 30'000 || i == 50'000 ? "A(0)" : "A(1)";

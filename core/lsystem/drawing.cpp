@@ -35,6 +35,7 @@ Drawing draw(const LSystem& system, const Word& word) {
   TurtleCommands commands = turtle_commands(system);
   Drawing drawing;
   drawing.planar = commands.planar;
+  drawing.width_source = width_source(system, commands, word);
   drawing.segments.reserve(count_drawing_modules(commands, word));
   DrawingActor actor(drawing);
   interpret(system, commands, word, actor);

@@ -2,7 +2,6 @@
 #include "core/lsystem/drawing_plant.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
@@ -11,83 +10,15 @@
 #include "core/contract/errors.hpp"
 #include "core/lsystem/drawing_lines.hpp"
 #include "core/lsystem/drawing_measures.hpp"
+#include "core/lsystem/drawing_radii.hpp"
 #include "core/lsystem/outline_triangles.hpp"
 #include "core/tree/branch_mesh.hpp"
-#include "core/tree/branches.hpp"
 
 namespace phytobench {
 
 namespace {
 
 constexpr std::size_t most_segments = 4'000'000;
-constexpr double suitable_radius = 0.02;  // of the thickest branch, share of the plant's extent
-constexpr double thickest_radius = 0.06;
-constexpr double share_of_segment = 0.2;  // no tip is chosen thicker than this share of a segment
-constexpr double thinnest_share = 1e-3;   // of the thickest radius
-
-/// What radii are chosen by.
-struct PlantSize {
-  double extent = 0.0;       // longest side of the box
-  double mean_length = 0.0;  // of the segments
-};
-
-PlantSize size_of(const Skeleton& skeleton) {
-  BoundingBox box;
-  double sum = 0.0;
-  for (const Vector3& p : skeleton.positions()) box.extend(p);
-  for (std::size_t node = 1; node < skeleton.node_count(); ++node)
-    sum += norm(skeleton.positions()[node] - skeleton.position(skeleton.parents()[node]));
-  const Vector3 sides = box.extent();
-  return {std::max({sides.x, sides.y, sides.z}),
-          sum / static_cast<double>(std::max<std::size_t>(skeleton.edge_count(), 1))};
-}
-
-/// For a drawing that is nothing but a point.
-double or_one(double length) {
-  return length > 0.0 ? length : 1.0;
-}
-
-double radius_of_width(float widest, const PlantSize& size, const DrawingPlantOptions& options) {
-  if (options.length_of_width > 0.0) return 0.5 * options.length_of_width;
-  const double radius = 0.5 * static_cast<double>(widest);
-  if (radius <= thickest_radius * size.extent || !(radius > 0.0)) return 0.5;
-  return 0.5 * suitable_radius * or_one(size.extent) / radius;
-}
-
-std::vector<double> radii_by_widths(const std::vector<float>& widths, const PlantSize& size,
-                                    const DrawingPlantOptions& options) {
-  const float widest = *std::max_element(widths.begin(), widths.end());
-  const double factor = radius_of_width(widest, size, options);
-  const double thinnest = widest > 0.0f ? thinnest_share * factor * static_cast<double>(widest)
-                                        : thinnest_share * or_one(size.extent);
-  std::vector<double> radii;
-  radii.reserve(widths.size());
-  for (const float width : widths)
-    radii.push_back(std::max(factor * static_cast<double>(width), thinnest));
-  return radii;
-}
-
-/// Such that the root is in proportion to the plant, and tips to their segments.
-double suitable_tip_radius(const Skeleton& skeleton, const PlantSize& size, double exponent) {
-  const double tips = tips_above(skeleton).front();
-  const double by_root = suitable_radius * size.extent / std::pow(tips, 1.0 / exponent);
-  return or_one(std::min(by_root, share_of_segment * size.mean_length));
-}
-
-bool are_equal(const std::vector<float>& widths) {
-  return std::adjacent_find(widths.begin(), widths.end(), std::not_equal_to<>()) == widths.end();
-}
-
-std::vector<double> radii_of(const Skeleton& skeleton, const std::vector<float>& widths,
-                             const PlantSize& size, const DrawingPlantOptions& options) {
-  const bool by_widths = options.radii == BranchRadii::widths ||
-                         (options.radii == BranchRadii::automatic && !are_equal(widths));
-  if (by_widths) return radii_by_widths(widths, size, options);
-  const double tip = options.tip_radius > 0.0
-                         ? options.tip_radius
-                         : suitable_tip_radius(skeleton, size, options.radius_exponent);
-  return branch_radii(skeleton, tip, options.radius_exponent);
-}
 
 void check_size(std::size_t segments) {
   if (segments > most_segments)
@@ -153,6 +84,7 @@ void add_leaves(const Drawing& drawing, DrawingPlant& plant) {
 /// A line as a tree without branches.
 TurtleTree tree_of(const DrawnLine& line, const Drawing& drawing) {
   TurtleTree tree;
+  tree.width_source = drawing.width_source;
   tree.skeleton = Skeleton(line.points.front());
   const TurtleSegment& first = drawing.segments[line.segments.front()];
   tree.widths.push_back(first.width);
@@ -175,10 +107,6 @@ std::optional<TurtleTree> tree_if_connected(const LSystem& system, const Word& w
 
 }  // namespace
 
-std::vector<double> drawing_radii(const TurtleTree& tree, const DrawingPlantOptions& options) {
-  return radii_of(tree.skeleton, tree.widths, size_of(tree.skeleton), options);
-}
-
 DrawingPlant make_drawing_plant(const TurtleTree& tree, const Drawing& drawing,
                                 const DrawingPlantOptions& options) {
   check_size(tree.skeleton.edge_count());
@@ -186,7 +114,7 @@ DrawingPlant make_drawing_plant(const TurtleTree& tree, const Drawing& drawing,
   if (tree.skeleton.edge_count() > 0) {
     const std::vector<double> radii = drawing_radii(tree, options);
     plant.root_radius = radii.front();
-    add_tubes(tree.skeleton, radii, tree.colours, size_of(tree.skeleton).extent, options, plant);
+    add_tubes(tree.skeleton, radii, tree.colours, plant_size(tree.skeleton).extent, options, plant);
   }
   add_leaves(drawing, plant);
   return plant;
@@ -194,24 +122,12 @@ DrawingPlant make_drawing_plant(const TurtleTree& tree, const Drawing& drawing,
 
 DrawingPlant make_drawing_plant(const Drawing& drawing, const DrawingPlantOptions& options) {
   check_size(drawing.segments.size());
-  const Vector3 sides = segment_box(drawing).extent();
-  const auto count = static_cast<double>(std::max<std::size_t>(drawing.segments.size(), 1));
-  const PlantSize size{std::max({sides.x, sides.y, sides.z}), total_length(drawing) / count};
-  std::vector<float> widths;
-  for (const TurtleSegment& segment : drawing.segments) widths.push_back(segment.width);
-  DrawingPlantOptions same = options;  // for all lines
-  if (same.radii == BranchRadii::automatic)
-    same.radii = are_equal(widths) ? BranchRadii::pipe_model : BranchRadii::widths;
-  if (!widths.empty() && same.radii == BranchRadii::widths)
-    same.length_of_width =
-        2.0 * radius_of_width(*std::max_element(widths.begin(), widths.end()), size, options);
-  if (!(same.tip_radius > 0.0))
-    same.tip_radius =
-        or_one(std::min(suitable_radius * size.extent, share_of_segment * size.mean_length));
+  const PlantSize size = plant_size(drawing);
+  const DrawingPlantOptions same = options_for_all_lines(drawing, size, options);
   DrawingPlant plant;
   for (const DrawnLine& line : drawn_lines(drawing, [](const TurtleSegment&) { return 0u; })) {
     const TurtleTree tree = tree_of(line, drawing);
-    const std::vector<double> radii = radii_of(tree.skeleton, tree.widths, size, same);
+    const std::vector<double> radii = radii_of(tree, size, same);
     plant.root_radius = std::max(plant.root_radius, radii.front());
     add_tubes(tree.skeleton, radii, tree.colours, size.extent, same, plant);
   }

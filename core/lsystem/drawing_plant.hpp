@@ -15,7 +15,7 @@ namespace phytobench {
 
 /// Where the radii of branches come from.
 enum class BranchRadii {
-  automatic,   ///< widths if they differ anywhere, else the pipe model
+  automatic,   ///< widths if one was said or they differ anywhere, else the pipe model
   widths,      ///< half the turtle's widths
   pipe_model,  ///< by the number of tips above ([Liebemann2017] eq. 3.4)
 };
@@ -24,8 +24,8 @@ struct DrawingPlantOptions {
   BranchRadii radii = BranchRadii::automatic;
   double radius_exponent = 2.0;  ///< of the pipe model, > 0
   double tip_radius = 0.0;       ///< of the pipe model, length units; 0: suits the drawing
-  /// Length units of a unit of width; 0: 1, or less if branches were thick then (many systems have
-  /// widths in units of their own).
+  /// Length units of a unit of width; 0: 1, or less if branches were thick then and no number gives
+  /// a width (WidthSource::given).
   double length_of_width = 0.0;
   int circle_resolution = 6;         ///< corners of a branch's ring, >= 3
   std::vector<std::string> colours;  ///< "#rrggbb" of colour 0, 1, ..., again from the first after

@@ -61,14 +61,58 @@ TEST(DrawingPlant, TakesRadiiFromWidthsThatDiffer) {
   EXPECT_EQ(drawing_radii(tree, pipes)[0], std::sqrt(2.0));
 }
 
-TEST(DrawingPlant, ScalesWidthsThatAreTooLarge) {
+TEST(DrawingPlant, ScalesWidthsThatAreTooLargeAndNotGiven) {
   TestWords words(test_turtle(90.0));
-  const std::vector<double> radii = drawing_radii(words.tree("!(10)F!(5)F"), {});
+  words.system.turtle.width_factor = 0.5;
+  const std::vector<double> radii = drawing_radii(words.tree("F!F"), {});
   EXPECT_NEAR(radii[1], 0.02 * 2.0, 1e-12);
   EXPECT_NEAR(radii[2], 0.5 * radii[1], 1e-12);
 }
 
-TEST(DrawingPlant, TakesThePipeModelIfWidthsDoNotDiffer) {
+TEST(DrawingPlant, TakesWidthsAsTheyAreGiven) {
+  const auto root = [](const TurtleSettings& turtle, std::string_view word) {
+    return drawing_radii(TestWords(turtle).tree(word), {}).front();
+  };
+  TurtleSettings wide = test_turtle(90.0);
+  wide.width = 0.25;
+  wide.width_is_given = true;
+  // All widths are the same, and too thick for what is drawn.
+  EXPECT_EQ(root(wide, "F[+F]F"), 0.125);
+  EXPECT_EQ(root(test_turtle(90.0), "!(0.25)F[+F]F"), 0.125);
+  EXPECT_EQ(root(test_turtle(90.0), "!(8)F[+F]F"), 4.0);
+  EXPECT_EQ(root(test_turtle(90.0), "F(1,0.5)[+F]F"), 0.25);
+  // Said by a factor: not by number of tips, but in proportion.
+  EXPECT_EQ(root(test_turtle(90.0), "!F(50)[+F]F"), 0.35f);
+  // A ! that is declared and does not occur says nothing.
+  TestWords words(test_turtle(90.0));
+  words.word("!(3)");
+  EXPECT_NE(drawing_radii(words.tree("F[+F]F"), {}).front(), 1.5);
+}
+
+double root_radius_of(const TurtleSettings& turtle, std::string_view text) {
+  TestWords words(turtle);
+  const Word word = words.word(text);
+  return make_drawing_plant(words.system, word, {}).root_radius;
+}
+
+TEST(DrawingPlant, TakesWidthsAsTheyAreGivenForLinesThatAreNoTree) {
+  TurtleSettings wide = test_turtle(90.0);
+  wide.width = 3.0;
+  wide.width_is_given = true;
+  EXPECT_EQ(root_radius_of(wide, "FFfF+F"), 1.5);
+  EXPECT_EQ(root_radius_of(test_turtle(90.0), "!(3)FFfF+F"), 1.5);
+  EXPECT_LT(root_radius_of(test_turtle(90.0), "FFfF+F"), 0.21);
+}
+
+TEST(DrawingPlant, ACurveIsALineOfOneWidth) {
+  TestWords words(test_turtle(90.0));
+  const std::vector<double> radii = drawing_radii(words.tree("FF+F+FF-F-FFF"), {});
+  for (const double radius : radii) EXPECT_EQ(radius, radii.front());
+  EXPECT_GT(radii.front(), 0.0);
+  EXPECT_LE(radii.front(), 0.2);  // of a segment
+}
+
+TEST(DrawingPlant, TakesThePipeModelWhereNoWidthWasSaid) {
   DrawingPlantOptions options;
   options.tip_radius = 1.0;
   const auto root = [&](double exponent) {

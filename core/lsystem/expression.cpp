@@ -132,18 +132,49 @@ double value_of(Operation operation, double a, double b) {
   }
 }
 
+bool is_leaf(Operation operation) {
+  return operation == Operation::constant || operation == Operation::parameter;
+}
+
+/// Whether the operation may give a finite number where an operand is none.
+bool may_hide(Operation operation) {
+  switch (operation) {
+    case Operation::add:
+    case Operation::subtract:
+    case Operation::multiply:
+    case Operation::negate:
+    case Operation::sine:
+    case Operation::cosine:
+    case Operation::tangent:
+    case Operation::square_root:
+    case Operation::absolute:
+    case Operation::floor:
+    case Operation::ceiling:
+    case Operation::logarithm:
+    case Operation::random:
+      return false;
+    default:
+      return true;
+  }
+}
+
+/// Not a number where an operand that counts is not finite.
+double strict_value_of(Operation operation, double a, double b) {
+  constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  if (!std::isfinite(a)) return not_a_number;
+  if (operation == Operation::logical_and && a == 0.0) return 0.0;
+  if (operation == Operation::logical_or && a != 0.0) return 1.0;
+  return std::isfinite(b) ? value_of(operation, a, b) : not_a_number;
+}
+
+double strict_value_of(Operation operation, double a) {
+  return std::isfinite(a) ? value_of(operation, a) : std::numeric_limits<double>::quiet_NaN();
+}
+
 /// Below high even where the rounding of the sum would give high itself.
 double random_between(double low, double high, double unit) {
   const double drawn = low + (high - low) * unit;
   return low < high && drawn >= high ? std::nextafter(high, low) : drawn;
-}
-
-/// 1 / value, if multiplying by it gives the same bits as dividing by value.
-double exact_reciprocal(double value) {
-  int exponent = 0;
-  const bool is_power_of_two =
-      std::isfinite(value) && std::abs(std::frexp(value, &exponent)) == 0.5;
-  return is_power_of_two && std::abs(exponent) < 1000 ? 1.0 / value : 0.0;
 }
 
 }  // namespace
@@ -153,9 +184,13 @@ Expression::Expression(double constant)
 
 Expression::Expression(std::vector<Instruction> program) : program_(std::move(program)) {
   std::size_t depth = 0;
+  bool works_on_results = false;  // not on parameters and constants alone, which are finite
   for (const Instruction& step : program_) {
     const std::size_t operands = operand_count(step.operation);
     PHYTOBENCH_EXPECT(depth >= operands);
+    may_hide_ =
+        may_hide_ || (works_on_results && !is_leaf(step.operation) && may_hide(step.operation));
+    works_on_results = works_on_results || operands > 0;
     depth += 1 - operands;
     PHYTOBENCH_EXPECT(depth <= most_depth);
     uses_random_ = uses_random_ || step.operation == Operation::random;
@@ -167,6 +202,11 @@ Expression::Expression(std::vector<Instruction> program) : program_(std::move(pr
 }
 
 double Expression::evaluate(const double* parameters, const ExpressionRandom& random) const {
+  return may_hide_ ? run<true>(parameters, random) : run<false>(parameters, random);
+}
+
+template <bool strict>
+double Expression::run(const double* parameters, const ExpressionRandom& random) const {
   std::array<double, most_depth> stack;
   stack[0] = 0.0;
   std::size_t size = 0;
@@ -176,50 +216,21 @@ double Expression::evaluate(const double* parameters, const ExpressionRandom& ra
         stack[size++] = step.operation == Operation::constant ? step.value : parameters[step.index];
         break;
       case 1:
-        stack[size - 1] = value_of(step.operation, stack[size - 1]);
+        stack[size - 1] = strict ? strict_value_of(step.operation, stack[size - 1])
+                                 : value_of(step.operation, stack[size - 1]);
         break;
       default: {
         const double b = stack[--size];
         double& a = stack[size - 1];
-        a = step.operation == Operation::random
-                ? random_between(a, b,
-                                 random_unit(random.seed, random.stream, random.index + step.index))
-                : value_of(step.operation, a, b);
+        if (step.operation == Operation::random)
+          a = random_between(a, b,
+                             random_unit(random.seed, random.stream, random.index + step.index));
+        else
+          a = strict ? strict_value_of(step.operation, a, b) : value_of(step.operation, a, b);
       }
     }
   }
   return stack[0];
-}
-
-void Expression::find_form() {
-  const auto set = [this](Form form, std::uint16_t parameter, double constant) {
-    form_ = form;
-    form_parameter_ = parameter;
-    form_constant_ = constant;
-  };
-  const Instruction& first = program_[0];
-  if (program_.size() == 1)
-    return first.operation == Operation::constant ? set(Form::constant, 0, first.value)
-                                                  : set(Form::parameter, first.index, 0.0);
-  if (program_.size() == 2 && first.operation == Operation::parameter &&
-      program_[1].operation == Operation::negate)
-    return set(Form::product, first.index, -1.0);
-  if (program_.size() != 3) return;
-  const Instruction& second = program_[1];
-  const bool parameter_first =
-      first.operation == Operation::parameter && second.operation == Operation::constant;
-  const bool constant_first =
-      first.operation == Operation::constant && second.operation == Operation::parameter;
-  if (!parameter_first && !constant_first) return;
-  const std::uint16_t parameter = parameter_first ? first.index : second.index;
-  const double constant = parameter_first ? second.value : first.value;
-  const Operation operation = program_[2].operation;
-  if (operation == Operation::add) set(Form::sum, parameter, constant);
-  if (operation == Operation::multiply) set(Form::product, parameter, constant);
-  if (!parameter_first) return;
-  if (operation == Operation::subtract) set(Form::sum, parameter, -constant);
-  if (operation == Operation::divide && exact_reciprocal(constant) != 0.0)
-    set(Form::product, parameter, exact_reciprocal(constant));
 }
 
 }  // namespace phytobench

@@ -65,8 +65,11 @@ class Expression {
   /// A valid postfix program that leaves one value and never holds more than most_depth.
   explicit Expression(std::vector<Instruction> program);
 
-  /// `parameters` holds at least parameter_count() numbers. Not finite where the arithmetic is not
-  /// (division by zero, root of a negative number): callers check.
+  /// `parameters` holds at least parameter_count() numbers, all finite. Not finite where the
+  /// arithmetic is not (division by zero, root of a negative number): callers check. What is
+  /// compared, chosen from or worked on further counts, too: 1 / 0 < 2 is not a number, and so is
+  /// atan(1 / 0). But && and || ask their right side only where the left one does not decide, so
+  /// that x > 0 && 1 / x < 2 is 0 for an x of 0.
   double evaluate(const double* parameters, const ExpressionRandom& random = {}) const;
 
   const std::vector<Instruction>& program() const { return program_; }
@@ -82,10 +85,13 @@ class Expression {
 
  private:
   void find_form();
+  template <bool strict>
+  double run(const double* parameters, const ExpressionRandom& random) const;
 
   std::vector<Instruction> program_;
   std::size_t parameter_count_ = 0;
   bool uses_random_ = false;
+  bool may_hide_ = false;  ///< some operation can make a finite number of one that is not
   Form form_ = Form::general;
   std::uint16_t form_parameter_ = 0;
   double form_constant_ = 0.0;

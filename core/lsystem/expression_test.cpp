@@ -114,6 +114,26 @@ TEST(Expression, IsNotFiniteWhereTheArithmeticIsNot) {
   EXPECT_TRUE(std::isnan(value("sin(x)", INFINITY)));
 }
 
+/// What would be lost in a comparison, a choice, a truth or a further operation.
+TEST(Expression, IsNotFiniteWhereAPartOfItIsNot) {
+  for (const char* text :
+       {"1 / x < 2", "1 / x > 2", "2 == 1 / x", "1 / x != 1", "!(1 / x)", "min(1 / x, 2)",
+        "max(2, sqrt(x - 1))", "2 / (1 / x)", "atan(1 / x)", "exp(log(x))", "5 % (1 / x)",
+        "(1 / x) ^ 0", "x * 1e200 < 1 / x", "1 / x && 1", "1 / x || 1", "x == 0 && 1 / x > 2",
+        "x != 0 || 1 / x > 2", "1 / x > 2 && x != 0"})
+    EXPECT_FALSE(std::isfinite(value(text, 0.0))) << text;
+  EXPECT_TRUE(std::isnan(value("x * x > 1", 1e200)));
+}
+
+TEST(Expression, AsksTheRightSideOfAndAndOrOnlyWhereItDecides) {
+  EXPECT_EQ(value("x != 0 && 1 / x > 2", 0.0), 0.0);
+  EXPECT_EQ(value("x == 0 || 1 / x > 2", 0.0), 1.0);
+  EXPECT_EQ(value("!(x != 0 && 1 / x > 2)", 0.0), 1.0);
+  EXPECT_EQ(value("x != 0 && 1 / x > 2", 0.25), 1.0);
+  EXPECT_EQ(value("x == 0 || 1 / x > 2", 4.0), 0.0);
+  EXPECT_EQ(value("2 / (1 / x)", 4.0), 8.0);
+}
+
 TEST(Expression, FindsFormsThatNeedNoProgram) {
   EXPECT_EQ(parsed("2 * 3 + 1").form(), Form::constant);
   EXPECT_EQ(parsed("2 * 3 + 1").form_constant(), 7.0);

@@ -116,7 +116,10 @@ constexpr std::array keys{
     Key{"step", SettingKind::value,
         [](ValueReader& r) { r.system.turtle.step = r.number(above_zero); }},
     Key{"width", SettingKind::value,
-        [](ValueReader& r) { r.system.turtle.width = r.number(above_zero); }},
+        [](ValueReader& r) {
+          r.system.turtle.width = r.number(above_zero);
+          r.system.turtle.width_is_given = true;
+        }},
     Key{"width_factor", SettingKind::value,
         [](ValueReader& r) { r.system.turtle.width_factor = r.number(above_zero); }},
     Key{"draw", SettingKind::value, [](ValueReader& r) { r.system.turtle.draws = r.letters(); }},

@@ -29,6 +29,7 @@ class ProductionParser {
       : line_(line), text_(line.text), arrow_(arrow), context_(context) {}
 
   Production parse() {
+    refuse_long_arrow();
     read_before_arrow();
     read_behind_arrow();
     production_.parameter_count = static_cast<std::uint16_t>(parameters_.size());
@@ -36,6 +37,18 @@ class ProductionParser {
   }
 
  private:
+  /// A '-' right before the arrow is a symbol only where a predecessor or context must begin.
+  void refuse_long_arrow() const {
+    const std::size_t arrow = arrow_.offset;
+    if (arrow == 0 || text_.substr(arrow - 1, 3) != "-->") return;
+    const Part before = trimmed(0, arrow - 1);
+    const char last = before.begin == before.end ? ':' : text_[before.end - 1];
+    if (last == ':' || last == '<' || last == '>') return;
+    line_.fail(
+        arrow - 1,
+        "'-->' is no arrow; write '->' (or a blank before '->' if the first '-' is a symbol)");
+  }
+
   std::string_view text_of(const Part& part) const {
     return text_.substr(part.begin, part.end - part.begin);
   }

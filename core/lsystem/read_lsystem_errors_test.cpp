@@ -57,6 +57,10 @@ TEST(ReadLSystemErrors, NamesWhatIsWrongWithAProduction) {
   expect_line_error("-> B", 1, "no predecessor");
   expect_line_error("p1 : -> B", 6, "no predecessor");
   expect_line_error("AB -> C", 1, "more than one module as predecessor");
+  expect_line_error("A --> B", 3, "'-->' is no arrow; write '->'");
+  expect_line_error("A --> B --> C", 3, "'-->' is no arrow");
+  expect_line_error("p : A(x) : x > 1 --> B", 18, "'-->' is no arrow");
+  expect_line_error("A > B --> C", 7, "or a blank before '->' if the first '-' is a symbol");
   expect_line_error("A < B < C -> D", 7, "'<' where the arrow");
   expect_line_error("A > B > C -> D", 7, "'>' where the arrow");
   expect_line_error("A[B] < C -> D", 2, "only the right context has brackets");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/lsystem/turtle_commands.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 namespace phytobench {
@@ -74,6 +75,13 @@ TurtleCommand command_of(const Symbol& symbol, const TurtleSettings& turtle) {
   return command;
 }
 
+WidthSource width_source(const TurtleCommand& command) {
+  const bool sets = command.action == TurtleAction::width;
+  const bool draws = command.action == TurtleAction::draw;
+  if ((sets && command.arity >= 1) || (draws && command.arity >= 2)) return WidthSource::given;
+  return sets ? WidthSource::proportion : WidthSource::nowhere;
+}
+
 }  // namespace
 
 TurtleCommands turtle_commands(const LSystem& system) {
@@ -98,6 +106,17 @@ std::size_t count_drawing_modules(const TurtleCommands& commands, const Word& wo
   std::size_t count = 0;
   for (std::size_t i = 0; i < word.size(); ++i) count += draws[word.symbols[i]];
   return count;
+}
+
+WidthSource width_source(const LSystem& system, const TurtleCommands& commands, const Word& word) {
+  if (system.turtle.width_is_given) return WidthSource::given;
+  std::array<WidthSource, most_symbols> sources{};
+  for (std::size_t i = 0; i < sources.size(); ++i) sources[i] = width_source(commands.of[i]);
+  const WidthSource most = *std::max_element(sources.begin(), sources.end());
+  WidthSource found = WidthSource::nowhere;
+  for (std::size_t i = 0; found < most && i < word.size(); ++i)
+    found = std::max(found, sources[word.symbols[i]]);
+  return found;
 }
 
 }  // namespace phytobench

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 
+#include "core/lsystem/drawing.hpp"
 #include "core/lsystem/lsystem.hpp"
 #include "core/lsystem/word.hpp"
 
@@ -58,5 +59,8 @@ TurtleCommands turtle_commands(const LSystem& system);
 
 /// Modules of the word that draw, those after a cut included.
 std::size_t count_drawing_modules(const TurtleCommands& commands, const Word& word);
+
+/// Who says how wide the lines of the word are, what is cut off included.
+WidthSource width_source(const LSystem& system, const TurtleCommands& commands, const Word& word);
 
 }  // namespace phytobench

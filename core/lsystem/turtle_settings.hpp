@@ -27,10 +27,11 @@ enum class TurtleStart {
 
 /// How a turtle draws. Angles in degrees, lengths in length units.
 struct TurtleSettings {
-  double angle_deg = 90.0;    ///< of turns without a parameter
-  double step = 1.0;          ///< of moves without a parameter, > 0
-  double width = 1.0;         ///< of the first segments, > 0
-  double width_factor = 0.7;  ///< by which ! without a parameter multiplies the width, > 0
+  double angle_deg = 90.0;      ///< of turns without a parameter
+  double step = 1.0;            ///< of moves without a parameter, > 0
+  double width = 1.0;           ///< of the first segments, > 0
+  bool width_is_given = false;  ///< by `width:`, in length units
+  double width_factor = 0.7;    ///< by which ! without a parameter multiplies the width, > 0
   TurtleConvention convention = TurtleConvention::words;
   TurtleStart start = TurtleStart::upwards;
   std::string draws = "F";           ///< letters that move and draw, each one character

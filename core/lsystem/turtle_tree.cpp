@@ -20,7 +20,6 @@ struct TreeActor : TurtleActor {
   TreeActor(const LSystem& of, TurtleTree& all) : system(of), tree(all) {}
 
   void segment(const Vector3& from, const Vector3& to, const TurtlePen& pen, Mark& mark) {
-    if (in_polygon) return;
     if (is_adrift(tree.skeleton.position(mark), from, to))
       throw InputError(system.source +
                        ": the turtle draws after a move without drawing, so that its lines are no "
@@ -29,12 +28,9 @@ struct TreeActor : TurtleActor {
     tree.widths.push_back(static_cast<float>(pen.width));
     tree.colours.push_back(pen.colour);
   }
-  void open_polygon(const TurtlePen&) { in_polygon = true; }
-  void close_polygon() { in_polygon = false; }
 
   const LSystem& system;
   TurtleTree& tree;
-  bool in_polygon = false;
 };
 
 }  // namespace
@@ -42,6 +38,7 @@ struct TreeActor : TurtleActor {
 TurtleTree turtle_tree(const LSystem& system, const Word& word) {
   TurtleCommands commands = turtle_commands(system);
   TurtleTree tree;
+  tree.width_source = width_source(system, commands, word);
   const std::size_t nodes = count_drawing_modules(commands, word) + 1;
   tree.skeleton.reserve(nodes);
   tree.widths.reserve(nodes);

@@ -40,13 +40,27 @@ TEST(TurtleTree, OfNothingIsARoot) {
   EXPECT_EQ(tree.colours.size(), 1u);
 }
 
-TEST(TurtleTree, LeavesPolygonsOut) {
+TEST(TurtleTree, HasNoNodesOfMovesAroundPolygons) {
   TestWords words(test_turtle(22.5));
   const TurtleTree tree = words.tree("F[{-f+f+f-|-f+f+f}]F");
   EXPECT_EQ(tree.skeleton.node_count(), 3u);
-  EXPECT_EQ(words.tree("F[{-F+F}]F").skeleton.node_count(), 3u);
   // Back where it began, the turtle may go on without a bracket.
   EXPECT_EQ(words.tree("F{-f+f+f-|-f+f+f}F").skeleton.node_count(), 3u);
+}
+
+/// F draws inside braces, too, so that drawing and tree have the same segments.
+TEST(TurtleTree, HasTheLinesThatOutlinePolygons) {
+  TestWords words(test_turtle(90.0));
+  for (const char* text : {"F[{-F+F}]F", "{F+F+F+F}", "{F+F}F", "F{-F}[+F{F}]F"}) {
+    const Drawing drawing = words.drawn(text);
+    const TurtleTree tree = words.tree(text);
+    ASSERT_EQ(tree.skeleton.edge_count(), drawing.segments.size()) << text;
+    for (std::size_t i = 0; i < drawing.segments.size(); ++i) {
+      EXPECT_EQ(tree.skeleton.positions()[i + 1], drawing.segments[i].to) << text;
+      EXPECT_EQ(tree.skeleton.position(tree.skeleton.parents()[i + 1]), drawing.segments[i].from);
+    }
+  }
+  EXPECT_THROW(words.tree("F{fF}"), InputError);
 }
 
 TEST(TurtleTree, MayMoveAwayIfItComesBack) {

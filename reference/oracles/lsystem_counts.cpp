@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reference/oracles/lsystem_counts.hpp"
 
+#include <limits>
+
 namespace phytobench::oracles {
 
 namespace {
@@ -42,7 +44,13 @@ LetterCounts product(const Matrix& M, const LetterCounts& counts) {
 }  // namespace
 
 LetterCounts letter_counts(const D0LStructure& system, int n) {
+  return *letter_counts_within(system, n, std::numeric_limits<double>::infinity());
+}
+
+std::optional<LetterCounts> letter_counts_within(const D0LStructure& system, int n,
+                                                 double most_work) {
   LetterCounts counts = counted(system.axiom);
+  double work = 0.0;
   for (int i = 0; i < n; ++i) {
     LetterCounts next;
     for (const auto& [letter, count] : counts) {
@@ -51,6 +59,9 @@ LetterCounts letter_counts(const D0LStructure& system, int n) {
         next[letter] += count;
       else
         for (const std::string& successor : rule->second) next[successor] += count;
+      const std::size_t additions = rule == system.successors.end() ? 1 : rule->second.size();
+      work += (20.0 + static_cast<double>(count.digits())) * static_cast<double>(additions);
+      if (work > most_work) return std::nullopt;
     }
     counts = next;
   }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,11 @@ using LetterCounts = std::map<std::string, Natural>;
 
 // Letters that do not occur have no entry.
 LetterCounts letter_counts(const D0LStructure& system, int n);
+
+// The same, or nothing where it takes more than so much work: a unit for each digit that is added,
+// and twenty for each addition.
+std::optional<LetterCounts> letter_counts_within(const D0LStructure& system, int n,
+                                                 double most_work);
 
 // The same by squaring the matrix: another way to the same numbers, and for many steps.
 LetterCounts letter_counts_by_powers(const D0LStructure& system, int n);

@@ -31,6 +31,8 @@ class Natural {
   friend Natural operator+(Natural a, const Natural& b) { return a += b; }
   friend bool operator==(const Natural&, const Natural&) = default;
 
+  std::size_t digits() const { return digits_.size(); }  // 0 has none
+
   std::string text() const {
     if (digits_.empty()) return "0";
     std::string text;
