@@ -249,6 +249,59 @@ TEST_F(DeriveCommand, RefusesToWriteNothing) {
   expect_refused_line("derive cells.lsys --out x.svg", "nothing is drawn");
 }
 
+TEST_F(DeriveCommand, DrawsLinesOfOutlinesInTablesAndTreesAlike) {
+  const json word =
+      derived({file("leaf.lsys", "axiom: F[{+F-F-F}]F\nangle: 60\n"), "--out", "leaf.csv"});
+  EXPECT_EQ(word["drawing"]["segments"], 5);
+  EXPECT_EQ(word["drawing"]["polygons"], 1);
+  EXPECT_EQ(word["tree"]["nodes"], 6);
+  EXPECT_EQ(line_count(read("leaf.csv")), 6);
+}
+
+TEST_F(DeriveCommand, SaysThatPolygonsAloneAreDrawn) {
+  write("blade.lsys", "axiom: {f+f+f}{f+f+f}\nangle: 120\n");
+  EXPECT_EQ(derived({"blade.lsys", "--out", "blade.obj,blade.svg"})["no_tree"],
+            "only polygons are drawn");
+  EXPECT_THAT(output_of({"derive", "blade.lsys"}), HasSubstr("\n\n2 polygons, box "));
+  expect_refused_line("derive blade.lsys --out blade.csv", "draws polygons alone");
+}
+
+TEST_F(DeriveCommand, TakesWidthsAsTheyAreGiven) {
+  const auto root = [&](const std::string& settings) {
+    return derived({file("wide.lsys", "axiom: F[+F]F\n" + settings)})["tree"]["root_radius"];
+  };
+  EXPECT_EQ(root("width: 0.5\n"), 0.25);
+  EXPECT_EQ(root("width: 1\n"), 0.5);
+  EXPECT_NE(root(""), 0.5);
+}
+
+TEST_F(DeriveCommand, NamesProductionsThatAreNeverUsed) {
+  write("slip.lsys", "axiom: A(1)\nA(x) -> A(x + 1)F\nA(x, y) -> F\n");
+  Outcome outcome = run({"derive", "slip.lsys", "--json"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err,
+              StartsWith("phytobench: warning: slip.lsys:3:1: p2 is never used: 'A' "));
+  EXPECT_EQ(line_count(outcome.err), 1);
+  EXPECT_TRUE(json::accept(outcome.out));
+  std::string many = "axiom: F\n";
+  for (const char letter : std::string("ABCDEGHIJKLM")) many += std::string(1, letter) + " -> F\n";
+  outcome = run({"derive", file("many.lsys", many)});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(line_count(outcome.err), 11);
+  EXPECT_THAT(outcome.err, EndsWith("many.lsys: 2 productions more are never used\n"));
+}
+
+TEST_F(DeriveCommand, AMillionStepsAreNoTrouble) {
+  const json chain = derived({file("chain.lsys", "axiom: A\nA -> F[+A]\n"), "--steps", "999999"});
+  EXPECT_EQ(chain["modules"], 3999997);
+  EXPECT_EQ(chain["predicted_modules"], "3999997");
+  EXPECT_EQ(chain["tree"]["depth"], 999999);
+  const std::string text =
+      output_of({"derive", file("double.lsys", "axiom: F\nF -> FF\n"), "--steps", "1000000"});
+  EXPECT_THAT(text, HasSubstr("would take too long\na count of -: more than 18446744073709551615"));
+  EXPECT_THAT(text, HasSubstr("\nthe word is neither counted nor made: it has more than"));
+}
+
 TEST_F(DeriveCommand, SaysWhyADrawingIsNoTree) {
   const json word = derived({file("gap.lsys", "axiom: FfF\n")});
   EXPECT_EQ(word["tree"], nullptr);

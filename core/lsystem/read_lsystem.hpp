@@ -28,11 +28,13 @@
 // digits, _) without brackets and the rest is a predecessor with its contexts; else what follows
 // the colon is the condition, and * is none. What could be either (`A : n > 2 -> B` with a constant
 // n) is refused; all three parts are never in doubt. * is a missing context, too. Contexts name
-// each symbol that they step over, except the ignored ones; the left one has no brackets. 
+// each symbol that they step over, except the ignored ones; the left one has no brackets.
+//
 // Of several productions that fit a module those with contexts come before those without, then the
-// first in the text is taken, whether conditions overlap or not. A production that can never be used
-// because one of the same contexts without condition stands before it is refused; others that are
-// never used, as far as can be seen, are named by unused_productions().
+// first in the text is taken, whether conditions overlap or not. A production that can never be
+// used because one of the same contexts without condition stands before it is refused; others that
+// are never used, as far as can be seen, are named by unused_productions(). --> is refused where
+// the first - could only end a context or condition.
 //
 // Expressions. expression_parser.hpp has the operators; there are sin cos tan atan (degrees), sqrt
 // abs floor ceil exp log min max, and in productions random() and random(low, high), at most 256

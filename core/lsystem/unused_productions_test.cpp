@@ -39,10 +39,14 @@ TEST(UnusedProductions, ComeOnlyFromEachOther) {
 }
 
 TEST(UnusedProductions, HaveAContextThatNeverOccurs) {
-  EXPECT_THAT(unused("axiom: AB\nC < A -> F\nA > B[C] -> F\nA < B -> B\nF -> C(1)\n"),
+  EXPECT_THAT(unused("axiom: AB[B]\nC < A -> F\nA > B[C] -> F\nA < B -> B\nF -> C(1)\n"),
               ElementsAre(StartsWith("test:2:5: p1 is never used: 'C' comes"),
                           StartsWith("test:3:1: p2 is never used: 'C' comes"),
                           StartsWith("test:5:1: p4 is never used: 'F' comes")));
+}
+
+TEST(UnusedProductions, HaveABranchAsContextWhereNothingBranches) {
+  EXPECT_THAT(unused("axiom: AB\nA > [B] -> F\n"), ElementsAre(HasSubstr("never used: '[' comes")));
 }
 
 TEST(UnusedProductions, StandBehindOneThatFitsWhereverTheyWould) {
