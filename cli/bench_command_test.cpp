@@ -136,6 +136,7 @@ TEST_F(BenchCounters, InJsonEveryChangeHasItsNumbers) {
 
 TEST_F(BenchCounters, WhatWasCountedIsKeptWithItsOrigin) {
   count("--accept");
+  std::filesystem::create_directories(folder() / "kept");
   const Outcome outcome = count("--out kept/counts.json --json");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   const auto kept = nlohmann::json::parse(read("kept/counts.json"));
@@ -173,7 +174,8 @@ TEST_F(BenchCounters, FilesThatCannotBeWrittenAreRefusedBeforeAnythingIsCounted)
   expect("--out /dev/null", 2, "/dev/null: is no ordinary file");
   expect("--out a.json --junit ./a.json", 2, "is given for two documents");
   expect("--out counters.json --accept", 2, "is given for two documents");
-  expect("--junit file/below.xml", 3, "cannot make the folder file");
+  expect("--junit file/below.xml", 3, "cannot write file/below.xml: file is no folder");
+  expect("--junit typo/below.xml", 2, "there is no folder typo");
   EXPECT_FALSE(exists("worker/was-asked"));
   {
     const SmallFilesOnly full(0);

@@ -43,7 +43,7 @@ TEST_F(BenchMeasureCommand, WrongInputIsRefused) {
   expect_refused({"bench", "measure", "nothing/*"}, 4, "nothing/*");
   std::filesystem::create_directories(folder() / "folder");
   expect_refused_line("bench measure --side nowhere --out folder", "folder: is a folder");
-  expect_refused({"bench", "measure", "--out", "old.json/new.json"}, 3, "cannot make the folder");
+  expect_refused({"bench", "measure", "--out", "old.json/new.json"}, 3, "old.json is no folder");
 }
 
 }  // namespace

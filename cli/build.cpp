@@ -2,7 +2,6 @@
 // phytobench build: a graph of components in, instances counted and checked, a plant out.
 #include <cmath>
 #include <filesystem>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -14,7 +13,6 @@
 #include "cli/plant_files.hpp"
 #include "cli/terminal.hpp"
 #include "core/component_graph/component_graph_file.hpp"
-#include "core/component_graph/component_registry.hpp"
 #include "core/component_graph/instance_tree_text.hpp"
 #include "core/contract/errors.hpp"
 #include "core/contract/text_file.hpp"
@@ -35,6 +33,7 @@ void check_tree_options(const PlantBuildOptions& options) {
   if (options.json) throw InputError(std::string(options_of_tree) + "--json");
   if (!options.out.empty()) throw InputError(std::string(options_of_tree) + "--out");
   if (!options.picture.empty()) throw InputError(std::string(options_of_tree) + "--picture");
+  if (options.resolution) throw InputError(std::string(options_of_tree) + "--resolution");
 }
 
 void check_options(const PlantBuildOptions& options) {
@@ -45,11 +44,14 @@ void check_options(const PlantBuildOptions& options) {
         "build needs a file of components or a --preset; phytobench build --example list names "
         "components to start from, phytobench list graphs lists the presets");
   if (!options.tree.empty()) check_tree_options(options);
-  if (!std::isfinite(options.resolution))  // the command line lets "nan" pass
-    throw InputError(fmt::format("--resolution {}: give a number", options.resolution));
+  if (!std::isfinite(options.resolution.value_or(1.0)))  // the command line lets "nan" pass
+    throw InputError(fmt::format("--resolution {}: give a number", *options.resolution));
   refuse_odd_view(view_of(options, options.threads));
   refuse_other_models(options.out);
-  if (options.picture.empty()) return;
+  const bool is_shown = !options.picture.empty();
+  refuse_idle_camera(options, is_shown ? CameraUse::rendered : CameraUse::none, "--picture");
+  refuse_idle_split(options.split, options.out);
+  if (!is_shown) return;
   if (extension_of(options.picture) != ".png")
     throw InputError("--picture " + options.picture + " must end in .png");
   refuse_without_renderer(options.picture, "leave --picture out");
@@ -95,14 +97,6 @@ void refuse_wrong_files(const PlantBuildOptions& options, const fs::path& graph_
   refuse_unwritable_files(names);
 }
 
-/// Models bring files of their own: materials and textures.
-void refuse_same_names(const std::vector<FileContent>& files) {
-  std::set<fs::path> names;
-  for (const FileContent& file : files)
-    if (!names.insert(file.file.lexically_normal()).second)
-      throw InputError(file.file.string() + ": two of the files would have this name; rename one");
-}
-
 class PlantBuild {
  public:
   PlantBuild(const PlantBuildOptions& options, ComponentGraph graph, std::vector<double> moments)
@@ -133,7 +127,7 @@ class PlantBuild {
     graph_.time = moments_[moment];
     BuildFindings findings = counted_instances(graph_);
     phytobench::BuildOptions build_options;
-    build_options.resolution = options_.resolution;
+    build_options.resolution = options_.resolution.value_or(build_options.resolution);
     build_options.progress = [&](double share) {
       show_progress(fmt::format("{}building: {:.0f} %", prefix_of(moment), 100.0 * share));
       return !is_interrupted();
@@ -169,8 +163,7 @@ class PlantBuild {
           {names.picture, plant_picture(objects, box_, view_of(options_, options_.threads))});
     if (options_.split) objects = split_objects(std::move(objects));
     for (FileContent& file : plant_models(objects, names.models)) files.push_back(std::move(file));
-    refuse_same_names(files);
-    write_files_atomically(files);
+    write_new_files(files);
     for (const FileContent& file : files) findings.files.push_back(file.file.string());
   }
 
@@ -193,18 +186,11 @@ std::string tree_text(const ComponentGraph& graph, const std::string& format) {
   return format == "dot" ? instance_tree_dot(graph, tree) : instance_tree_list(graph, tree);
 }
 
-void print_example(const std::string& kind) {
-  if (kind == "list")
-    print(component_list_text());
-  else
-    print(example_component_graph(component_kind_named(kind)));
-}
-
 }  // namespace
 
 int build(const PlantBuildOptions& given) {
   if (!given.example.empty()) {
-    print_example(given.example);
+    print(component_example(given.example));
     return 0;
   }
   PlantBuildOptions options = given;

@@ -128,6 +128,7 @@ TEST_F(BuildCommand, SaysTheSameInWords) {
 }
 
 TEST_F(BuildCommand, WritesModelsThatHoldWhatItCounts) {
+  std::filesystem::create_directories(folder() / "a");
   const json plant =
       json_of({"build", "--preset", "bush", "--out", "a/bush.obj,bush.glb", "--json"},
               "phytobench/build-1");
@@ -212,6 +213,7 @@ TEST_F(BuildCommand, BuildsTheMomentAskedFor) {
 }
 
 TEST_F(BuildCommand, WritesFramesOfAnAnimation) {
+  std::filesystem::create_directories(folder() / "film");
   Words words{"build", "growing.toml", "--time", "0:1:4", "--out", "film/%03d.glb", "--json"};
   if (can_render()) words.insert(words.end(), {"--picture", "f-%d.png", "--picture-height", "40"});
   const json plant = json_of(words, schema);
@@ -270,6 +272,55 @@ TEST_F(BuildCommand, ExamplesOfEveryKindCanBeBuilt) {
     counts_of(json_of({"build", "example.toml", "--out", "example.obj", "--json"}, schema));
   }
   expect_refused_line("build --example phiballs", "did you mean 'phiball'?");
+}
+
+TEST_F(BuildCommand, AnExampleMayBeAPreset) {
+  const std::string examples = "\n" + output_of({"build", "--example", "list"});
+  const json presets = json_of({"list", "graphs", "--json"}, "phytobench/list-1");
+  const json kinds = json_of({"list", "components", "--json"}, "phytobench/list-1");
+  for (const json& preset : presets["entries"]) {
+    const std::string name = preset.at("id").get<std::string>();
+    SCOPED_TRACE(name);
+    EXPECT_THAT(examples, HasSubstr("\n" + name + " "));
+    for (const json& kind : kinds["entries"]) EXPECT_NE(kind.at("id"), name) << "would hide it";
+    write("mine.toml", output_of({"build", "--example", name}));
+    EXPECT_EQ(json_of({"build", "mine.toml", "--json"}, schema)["components"],
+              json_of({"build", "--preset", name, "--json"}, schema)["components"]);
+  }
+  expect_refused_line("build --example bushh", "did you mean 'bush'?");
+  expect_refused_line("build --example bush --json", "leave out --json");
+  expect_refused_line("build --example bush plant.toml", "leave out plant.toml");
+}
+
+TEST_F(BuildCommand, RefusesOptionsWithoutEffect) {
+  expect_refused_line("build plant.toml --split", "--split goes with models only");
+  expect_refused_line("build plant.toml --split --picture x.png", "--split goes with models only");
+  for (const char* option : {"--azimuth", "--elevation", "--distance"})
+    expect_refused_line(std::string("build plant.toml --out x.obj ") + option + " 8",
+                        std::string(option) + " goes with a");
+  expect_refused_line("build plant.toml --picture-height 800", "as in --picture plant.png");
+  expect_refused_line("build plant.toml --tree --resolution 1", "leave out --resolution");
+  expect_refused_line("build plant.toml --tree --split", "leave --split out");
+  EXPECT_EQ(left_behind(), (std::set<std::string>{"growing.toml", "plant.toml"}));
+}
+
+TEST_F(BuildCommand, WritesNoFolderAndNothingProtected) {
+  expect_refused_line("build plant.toml --out x.obj,typo/x.obj", "there is no folder typo");
+  expect_refused_line("build plant.toml --out x.obj,", "a name is missing");
+  expect_refused_line("build plant.toml --out x.obj,,y.obj", "a name is missing");
+  EXPECT_EQ(left_behind(), (std::set<std::string>{"growing.toml", "plant.toml"}));
+  write("x.mtl", "old\n");  // which a model brings along
+  std::filesystem::permissions(folder() / "x.mtl", std::filesystem::perms::owner_read);
+  expect_refused({"build", "plant.toml", "--out", "x.obj"}, 3, "x.mtl: it is write-protected");
+  EXPECT_EQ(read("x.mtl"), "old\n");
+  EXPECT_FALSE(exists("x.obj"));
+}
+
+TEST_F(BuildCommand, CountsOneInTheSingular) {
+  write("one.toml", "[graph]\nroot = \"a\"\n[component.a]\nkind = \"horn\"\n");
+  const std::string text = output_of({"build", "one.toml", "--time=-0"});
+  EXPECT_THAT(text, HasSubstr("\n1 instance on 1 level\n"));
+  EXPECT_THAT(text, StartsWith("one.toml: seed 0, time 0\n"));
 }
 
 TEST_F(BuildCommand, RefusesWrongOptionsBeforeItBuilds) {

@@ -8,6 +8,7 @@
 #include "cli/box_output.hpp"
 #include "cli/build_findings.hpp"
 #include "cli/option_values.hpp"
+#include "core/contract/counted_noun.hpp"
 
 namespace phytobench::cli {
 
@@ -145,7 +146,7 @@ std::string build_json(const ComponentGraph& graph, const std::vector<BuildFindi
                     {"preset", text_or_null(options.preset)},
                     {"seed", graph.seed},
                     {"time", last.time},
-                    {"resolution", options.resolution},
+                    {"resolution", options.resolution.value_or(1.0)},
                     {"instances", last.instance_count},
                     {"edges", last.instance_count - 1},
                     {"levels", last.levels},
@@ -167,12 +168,14 @@ std::string build_json(const ComponentGraph& graph, const std::vector<BuildFindi
 std::string build_text(const ComponentGraph& graph, const std::vector<BuildFindings>& frames,
                        const PlantBuildOptions& options) {
   const BuildFindings& last = frames.back();
-  std::string text = fmt::format(
-      "{}: seed {}, time {:g}\n\n",
-      options.preset.empty() ? options.graph : "preset " + options.preset, graph.seed, last.time);
+  std::string text =
+      fmt::format("{}: seed {}, time {:g}\n\n",
+                  options.preset.empty() ? options.graph : "preset " + options.preset, graph.seed,
+                  shown(last.time));
   text += component_table(graph, last) + prediction_line(last);
   text += link_table(graph, last) + material_table(last);
-  text += fmt::format("\n{} instances on {} levels\n", last.instance_count, last.levels);
+  text += fmt::format("\n{} on {}\n", counted_noun(last.instance_count, "instance"),
+                      counted_noun(last.levels, "level"));
   text += last.box.empty() ? "no triangles\n" : "box " + box_text(last.box) + "\n";
   for (const BuildFindings& frame : frames)
     for (const std::string& file : frame.files) text += "wrote " + file + "\n";

@@ -37,12 +37,12 @@ struct ReportOptions {
 };
 int report(const ReportOptions& options);
 
-/// From where the picture of a plant is taken.
+/// From where the picture of a plant is taken. Unset: as PlantView has it.
 struct CameraOptions {
-  double azimuth_deg = 90.0;
-  double elevation_deg = 8.0;
-  double distance = 0.0;  ///< 0: the whole plant fits
-  int picture_height = 800;
+  std::optional<double> azimuth_deg = {};
+  std::optional<double> elevation_deg = {};
+  std::optional<double> distance = {};  ///< 0: the whole plant fits
+  std::optional<int> picture_height = {};
 };
 
 struct GrowOptions : CameraOptions {
@@ -135,13 +135,13 @@ struct PlantBuildOptions : CameraOptions {
   std::string preset;                 ///< instead of a file
   std::string time;                   ///< "T" or "FIRST:LAST:FRAMES"; empty: as the file says
   std::optional<std::uint64_t> seed;  ///< unset: as the file says
-  double resolution = 1.0;            ///< detail of meshes
+  std::optional<double> resolution;   ///< detail of meshes; unset: 1
   std::vector<std::string> out;       ///< .obj or .glb files
   bool split = false;                 ///< meshes of at most 65,536 vertices
   std::string picture;                ///< .png; empty: none
   int threads = 1;                    ///< of pictures
   std::string tree;                   ///< list or dot: prints the i-tree instead; empty: no
-  std::string example;                ///< kind of component to explain, or list; empty: none
+  std::string example;                ///< kind of component to explain, preset or list
   bool json = false;
 };
 int build(const PlantBuildOptions& options);

@@ -65,6 +65,7 @@ TEST_F(CompareCommand, GivesOneDocumentWithEveryBlock) {
 }
 
 TEST_F(CompareCommand, WritesAllDocumentsAtOnce) {
+  std::filesystem::create_directories(folder() / "r");
   const Outcome outcome =
       run(quick({"--out", "r/c.json", "--markdown", "c.md", "--junit", "c.xml"}));
   EXPECT_THAT(outcome.code, AnyOf(0, 1)) << outcome.err;
@@ -118,6 +119,7 @@ TEST_F(CompareCommand, RefusesOptionsThatMakeNoSense) {
   expect_refused(compare({"--benchmarks", "nonesuch*"}), 4, "nonesuch");
   expect_refused_comparison({"--out", "a", "--junit", "./a"}, "two documents");
   expect_refused_comparison({"--out", "."}, "folder");
+  expect_refused_comparison({"--out", "typo/c.json"}, "there is no folder typo");
 }
 
 TEST_F(CompareCommand, ComparesStoredResultsAndSaysWhatTheyLack) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kinds of components, as `list components` and `build --example list` show them.
+// The kinds of components, as `list components` and `build --example` show them.
 #pragma once
 
 #include <string>
@@ -12,7 +12,8 @@ namespace phytobench::cli {
 /// (name, unit, meaning, source, default), summary.
 nlohmann::ordered_json component_rows();
 
-/// A line for each: its name and what it does.
-std::string component_list_text();
+/// What `build --example` prints: a graph that explains this kind of component, the file of this
+/// preset, or, for "list", a line for each of both. Throws InputError with the closest name.
+std::string component_example(const std::string& name);
 
 }  // namespace phytobench::cli

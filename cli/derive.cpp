@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -57,6 +56,8 @@ void check_options(const LSystemDeriveOptions& options) {
     throw InputError("--print prints the word alone; leave out --out, or give --json");
   refuse_odd_view(view_of(options, options.threads));
   refuse_other_drawings(options.out);
+  refuse_idle_camera(options, camera_use(options.out), "--out");
+  refuse_idle_split(options.split, options.out);
 }
 
 /// Before minutes are spent on them.
@@ -67,14 +68,6 @@ void refuse_wrong_files(const LSystemDeriveOptions& options) {
       throw InputError(name + ": would overwrite the L-system; name another");
   }
   refuse_unwritable_files(options.out);
-}
-
-/// Models bring files of their own: materials and textures.
-void refuse_same_names(const std::vector<FileContent>& files) {
-  std::set<fs::path> names;
-  for (const FileContent& file : files)
-    if (!names.insert(file.file.lexically_normal()).second)
-      throw InputError(file.file.string() + ": two of the files would have this name; rename one");
 }
 
 LSystem system_of(const LSystemDeriveOptions& options) {
@@ -121,9 +114,8 @@ void refuse_word_not_made(const DeriveFindings& findings, const LSystem& system,
 }
 
 void write(DeriveFindings& findings, const std::vector<FileContent>& files) {
-  refuse_same_names(files);
   if (is_interrupted()) throw Interrupted("nothing is written");
-  write_files_atomically(files);
+  write_new_files(files);
   for (const FileContent& file : files) findings.files.push_back(file.file.string());
 }
 

@@ -105,7 +105,7 @@ TEST_F(DeriveCommand, SaysTheSameInWords) {
   EXPECT_THAT(text, HasSubstr("\nF          32         32\n"));
   EXPECT_THAT(text, HasSubstr("\nall        59         59\n"));
   EXPECT_THAT(text, HasSubstr("\n32 segments of total length 32\nbox 6 x 6 x 0, from (-1, -1, 0)"));
-  EXPECT_THAT(text, HasSubstr("\na tree of 33 nodes, 1 of them tips; largest degree 1, depth 32"));
+  EXPECT_THAT(text, HasSubstr("\na tree of 33 nodes, 1 of them a tip; largest degree 1, depth 32"));
 }
 
 TEST_F(DeriveCommand, DerivesEveryPreset) {
@@ -199,6 +199,7 @@ TEST_F(DeriveCommand, RefusesWhatNeedsTheWordWhereItIsTooLong) {
 // Files
 
 TEST_F(DeriveCommand, WritesModelsTablesAndPictures) {
+  std::filesystem::create_directories(folder() / "a");
   const json word =
       derived({"tree.lsys", "--out", "a/tree.obj,tree.glb,tree.ply,tree.csv,tree.svg", "--split"});
   for (const json& file : word["files"]) EXPECT_TRUE(exists(file.get<std::string>())) << file;
@@ -329,6 +330,61 @@ TEST_F(DeriveCommand, RefusesWrongOptionsBeforeItDerives) {
   expect_refused_line("derive island.lsys --azimuth nan", "--azimuth");
   write("island.svg", island);
   expect_refused_line("derive island.svg --out ./island.svg", "overwrite the L-system");
+}
+
+TEST_F(DeriveCommand, RefusesOptionsWithoutEffect) {
+  for (const char* out : {"", " --out x.svg,x.csv"})
+    expect_refused_line(std::string("derive tree.lsys --split") + out, "goes with models only");
+  for (const char* option : {"--azimuth", "--elevation", "--distance", "--picture-height"})
+    expect_refused_line(std::string("derive tree.lsys --out x.csv,x.obj ") + option + " 80",
+                        std::string(option) + " goes with a");
+  for (const char* option : {"--distance", "--picture-height"})
+    expect_refused_line(std::string("derive tree.lsys --out x.svg ") + option + " 80",
+                        std::string(option) + " goes with a .png picture only");
+  expect_refused_line("derive --example bush --json", "leave out --json");
+  expect_refused_line("derive --example bush tree.lsys", "leave out tree.lsys");
+  EXPECT_EQ(left_behind(), given_);
+  output_of({"derive", "tree.lsys", "--out", "front.svg"});
+  output_of({"derive", "tree.lsys", "--out", "side.svg", "--azimuth", "10"});
+  EXPECT_NE(read("front.svg"), read("side.svg"));
+}
+
+TEST_F(DeriveCommand, WritesNoFolderAndNothingProtected) {
+  expect_refused_line("derive tree.lsys --out typo/x.svg", "there is no folder typo");
+  for (const char* names : {"x.svg,", ",x.svg", "x.svg,,x.csv", ","})
+    expect_refused_line(std::string("derive tree.lsys --out ") + names, "a name is missing");
+  EXPECT_EQ(left_behind(), given_);
+  write("x.svg", "old\n");
+  std::filesystem::permissions(folder() / "x.svg", std::filesystem::perms::owner_read);
+  expect_refused({"derive", "tree.lsys", "--out", "x.svg"}, 3, "x.svg: it is write-protected");
+  EXPECT_EQ(read("x.svg"), "old\n");
+}
+
+/// A word after the names is no name: it may be the system.
+TEST_F(DeriveCommand, NamesOfFilesEndAtABlank) {
+  output_of({"derive", "--out", "x.csv", "tree.lsys"});
+  output_of({"derive", "tree.lsys", "--out", "y.csv", "--out", "z.csv"});
+  EXPECT_EQ(read("x.csv"), read("y.csv"));
+  EXPECT_EQ(read("x.csv"), read("z.csv"));
+}
+
+TEST_F(DeriveCommand, CountsOneInTheSingular) {
+  const std::string text =
+      output_of({"derive", file("one.lsys", "axiom: F{.f+f.}\nangle: 90   steps: 0\n")});
+  EXPECT_THAT(text, HasSubstr("\n1 segment of total length 1\n"));
+  EXPECT_THAT(text, HasSubstr("\n1 polygon, box "));
+  EXPECT_THAT(text, HasSubstr("a tree of 2 nodes, 1 of them a tip;"));
+  EXPECT_THAT(output_of({"derive", "island.lsys", "--steps", "2", "--most-modules", "100"}),
+              HasSubstr("1 step is the most\n"));
+  EXPECT_THAT(output_of({"derive", "one.lsys", "--most-modules", "1"}),
+              HasSubstr("more than 1 module (--most-modules)"));
+}
+
+/// Its leaves lie around a stem that sines and cosines of 180 degrees leave upright.
+TEST_F(DeriveCommand, ShowsWhatRoundingLeftAsZero) {
+  const Words words{"derive", "--preset", "bush"};
+  EXPECT_THAT(output_of(words), HasSubstr("box 0 x 11.39 x 15.61, from (0, 0, -7.806) to (0, "));
+  EXPECT_NE(derived({"--preset", "bush"})["drawing"]["box"]["low"][0], 0.0);  // as it is
 }
 
 TEST_F(DeriveCommand, NamesFileLineAndColumnOfAMistake) {

@@ -7,6 +7,7 @@
 
 #include "cli/terminal.hpp"
 #include "core/contract/check.hpp"
+#include "core/contract/counted_noun.hpp"
 #include "core/contract/errors.hpp"
 #include "core/lsystem/drawing_measures.hpp"
 #include "core/lsystem/drawing_plant.hpp"
@@ -22,7 +23,7 @@ void refuse_disagreement(const std::string& problem) {
 }
 
 bool report_drawing(std::uint64_t segments) {
-  show_progress(fmt::format("drawing: {} segments", segments));
+  show_progress("drawing: " + counted_noun(segments, "segment"));
   return !is_interrupted();
 }
 
@@ -35,9 +36,9 @@ void check_forecast(const DeriveFindings& findings, const LSystem& system) {
   if (!findings.predicted) return;
   for (std::size_t i = 0; i < findings.symbols.size(); ++i)
     if (findings.symbols[i] && findings.predicted->symbols[i].number != findings.symbols[i])
-      refuse_disagreement(fmt::format("'{}' is counted {} times where the matrix counts {}",
-                                      name_of(system.symbols[i]), *findings.symbols[i],
-                                      findings.predicted->symbols[i].digits));
+      refuse_disagreement(fmt::format(
+          "'{}' is counted {} where the matrix counts {}", name_of(system.symbols[i]),
+          counted_noun(*findings.symbols[i], "time"), findings.predicted->symbols[i].digits));
 }
 
 void count_ahead(DeriveFindings& findings, const LSystem& system,

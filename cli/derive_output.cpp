@@ -8,6 +8,7 @@
 #include "cli/box_output.hpp"
 #include "cli/derive_findings.hpp"
 #include "cli/option_values.hpp"
+#include "core/contract/counted_noun.hpp"
 
 namespace phytobench::cli {
 
@@ -122,18 +123,21 @@ std::string symbol_table(const LSystem& system, const DeriveFindings& findings) 
 }
 
 std::string in_steps(int steps) {
-  return fmt::format("{} step{}", steps, steps == 1 ? "" : "s");
+  return counted_noun(static_cast<std::uint64_t>(steps), "step");
 }
 
 std::string word_line(const DeriveFindings& findings, const LSystemDeriveOptions& options) {
   if (findings.made) return "";
   const bool is_counted = findings.modules || findings.predicted;
   return fmt::format(
-      "\nthe word is {}: it has more than {:.0f} modules (--most-modules) or four "
-      "times as many parameters; {}\n",
-      is_counted ? "counted, not made" : "neither counted nor made", options.most_modules,
-      *findings.longest_made < 0 ? "so has the axiom"
-                                 : in_steps(*findings.longest_made) + " are the most");
+      "\nthe word is {}: it has more than {} (--most-modules) or four times as many parameters; "
+      "{}\n",
+      is_counted ? "counted, not made" : "neither counted nor made",
+      counted_noun(static_cast<std::uint64_t>(options.most_modules), "module"),
+      *findings.longest_made < 0
+          ? "so has the axiom"
+          : in_steps(*findings.longest_made) + (*findings.longest_made == 1 ? " is" : " are") +
+                " the most");
 }
 
 std::string drawing_lines(const DeriveFindings& findings) {
@@ -142,11 +146,11 @@ std::string drawing_lines(const DeriveFindings& findings) {
   if (drawn.segments == 0 && drawn.polygons == 0) return "\nnothing is drawn\n";
   std::string text = "\n";
   if (drawn.segments > 0)
-    text += fmt::format("{} segments of total length {:.10g}{}\n", drawn.segments, drawn.length,
-                        findings.made ? "" : ", drawn without the word");
+    text += fmt::format("{} of total length {:.10g}{}\n", counted_noun(drawn.segments, "segment"),
+                        drawn.length, findings.made ? "" : ", drawn without the word");
   if (!drawn.segment_box.empty()) text += "box " + box_text(drawn.segment_box) + "\n";
   if (drawn.polygons == 0) return text;
-  text += fmt::format("{} polygons", drawn.polygons);
+  text += counted_noun(drawn.polygons, "polygon");
   if (!drawn.polygon_box.empty()) text += ", box " + box_text(drawn.polygon_box);
   return text + "\n";
 }
@@ -156,9 +160,9 @@ std::string tree_line(const DeriveFindings& findings) {
   if (!findings.tree) return "no tree: " + findings.no_tree + "\n";
   const DrawnTree& tree = *findings.tree;
   return fmt::format(
-      "a tree of {} nodes, {} of them tips; largest degree {}, depth {}, radius of the root "
-      "{:.4g}\n",
-      tree.nodes, tree.tips, tree.largest_degree, tree.depth, tree.root_radius);
+      "a tree of {}, {} of them {}; largest degree {}, depth {}, radius of the root {:.4g}\n",
+      counted_noun(tree.nodes, "node"), tree.tips, tree.tips == 1 ? "a tip" : "tips",
+      tree.largest_degree, tree.depth, tree.root_radius);
 }
 
 }  // namespace

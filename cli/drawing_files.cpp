@@ -8,6 +8,7 @@
 
 #include "cli/plant_files.hpp"
 #include "cli/terminal.hpp"
+#include "core/contract/counted_noun.hpp"
 #include "core/contract/errors.hpp"
 #include "core/lsystem/drawing_plant.hpp"
 #include "core/lsystem/drawing_svg.hpp"
@@ -69,10 +70,14 @@ std::string svg_picture(const LSystem& system, const Drawing& drawing,
                         const LSystemDeriveOptions& options) {
   DrawingSvgOptions svg;
   svg.colours = system.turtle.colours;
-  svg.azimuth_deg = options.azimuth_deg;
-  svg.elevation_deg = options.elevation_deg;
+  const PlantView view = view_of(options, options.threads);
+  svg.azimuth_deg = view.azimuth_deg;
+  svg.elevation_deg = view.elevation_deg;
   const std::string name = options.preset.empty() ? options.system : "preset " + options.preset;
-  return drawing_svg(drawing, fmt::format("{}, derived {} times", name, system.steps), svg);
+  return drawing_svg(drawing,
+                     fmt::format("{}, derived {}", name,
+                                 counted_noun(static_cast<std::uint64_t>(system.steps), "time")),
+                     svg);
 }
 
 /// Pictures have a ground, on which a drawing stands that would reach below it.
@@ -104,6 +109,12 @@ void refuse_other_drawings(const std::vector<std::string>& names) {
                              " needs Embree; install libembree-dev and build again, or ask for an "
                              ".svg picture");
   }
+}
+
+CameraUse camera_use(const std::vector<std::string>& names) {
+  if (std::any_of(names.begin(), names.end(), is_picture)) return CameraUse::rendered;
+  const auto is_svg = [](const std::string& name) { return extension_of(name) == ".svg"; };
+  return std::any_of(names.begin(), names.end(), is_svg) ? CameraUse::drawn : CameraUse::none;
 }
 
 std::vector<FileContent> drawing_files(const LSystem& system, const Word& word,

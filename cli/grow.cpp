@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include <filesystem>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/option_values.hpp"
+#include "cli/output_files.hpp"
 #include "cli/plant_files.hpp"
 #include "cli/terminal.hpp"
 #include "core/colonization/tree_parameters_file.hpp"
+#include "core/contract/counted_noun.hpp"
 #include "core/contract/errors.hpp"
 #include "core/contract/text_file.hpp"
 #include "core/nearest_node/engine_registry.hpp"
@@ -38,7 +43,7 @@ ordered_json summary(const GrowOptions& options, const TreeParameters& parameter
   json["edges"] = tree.edge_count();
   json["tips"] = tip_count(tree);
   json["edge_depth"] = edge_depth(tree);
-  json["highest_y"] = highest_y(tree);
+  json["highest_y"] = shown(highest_y(tree));
   json["tree_hash"] = tree_hash(tree);
   return json;
 }
@@ -72,9 +77,22 @@ std::string plain_summary(const ordered_json& json) {
 }
 
 bool report_iteration(const PassStatistics& pass) {
-  show_progress(fmt::format("iteration {}: {} nodes, {} live points", pass.iteration + 1,
-                            pass.searchable_nodes + pass.new_nodes, pass.live_points));
+  show_progress(fmt::format("iteration {}: {}, {}", pass.iteration + 1,
+                            counted_noun(pass.searchable_nodes + pass.new_nodes, "node"),
+                            counted_noun(pass.live_points, "live point")));
   return !is_interrupted();
+}
+
+/// Before seconds are spent on them.
+void refuse_wrong_files(const GrowOptions& options) {
+  std::vector<std::string> names = options.out;
+  names.push_back(options.picture);
+  for (const std::string& name : names) {
+    std::error_code ignored;
+    if (!name.empty() && std::filesystem::equivalent(name, options.config, ignored))
+      throw InputError(name + ": would overwrite the parameter file; name another");
+  }
+  refuse_unwritable_files(names);
 }
 
 /// Refuses what cannot work before anything has grown.
@@ -82,12 +100,13 @@ void check_options(const GrowOptions& options) {
   refuse_odd_view(view_of(options, options.threads));
   refuse_other_models(options.out);
   const std::string picture = extension_of(options.picture);
+  refuse_idle_camera(options, picture == ".png" ? CameraUse::rendered : CameraUse::none,
+                     "--picture");
+  refuse_idle_split(options.split, options.out);
   if (!options.picture.empty() && picture != ".svg" && picture != ".png")
     throw InputError("--picture " + options.picture + " must end in .png or .svg");
   if (picture == ".png") refuse_without_renderer(options.picture, "ask for an .svg picture");
-  if (!options.picture.empty() && options.picture == options.config)
-    throw InputError("--picture " + options.picture +
-                     " would overwrite the parameter file; name another");
+  refuse_wrong_files(options);
 }
 
 /// Everything that was asked for, made before anything is written.
@@ -143,7 +162,7 @@ int grow(const GrowOptions& given) {
   add_work(json, result.work);
   const std::vector<FileContent> files =
       make_files(options, result.skeleton, scene_objects(std::move(plant), parameters.plant));
-  write_files_atomically(files);
+  write_new_files(files);
   json["files"] = ordered_json::array();
   for (const FileContent& file : files) json["files"].push_back(file.file.string());
   print(options.json ? json.dump(2) + "\n" : plain_summary(json));

@@ -64,6 +64,9 @@ TEST_F(History, ShowsASeriesWithItsChanges) {
 
 TEST_F(History, PlotsOnTheTerminalAndAsSvg) {
   append_two();
+  expect_refused({"history", "plot", "grid/near", "--out", "plots/near.svg"}, 2,
+                 "there is no folder plots");
+  std::filesystem::create_directories(folder() / "plots");
   EXPECT_THAT(output_of({"history", "plot", "grid/near", "--out", "plots/near.svg"}),
               HasSubstr("run 1 to run 2"));
   EXPECT_THAT(read("plots/near.svg"), HasSubstr("<title>grid/near, instructions</title>"));

@@ -13,6 +13,7 @@
 #include "benchmarks/history/run_changes.hpp"
 #include "benchmarks/history/series_plot.hpp"
 #include "cli/option_values.hpp"
+#include "cli/output_files.hpp"
 #include "cli/terminal.hpp"
 #include "core/contract/errors.hpp"
 #include "core/contract/suggestion.hpp"
@@ -129,6 +130,7 @@ void write_svg(const HistoryOptions& options, const std::vector<Series>& all) {
   }
   if (!options.out.ends_with(".svg"))
     throw InputError("--out '" + options.out + "': a plot is written as .svg");
+  refuse_unwritable_files({options.out});
   write_file_atomically(options.out, series_svg(all.front().lines, title_of(options, all.front())));
 }
 

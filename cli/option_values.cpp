@@ -46,6 +46,10 @@ std::string json_text(const nlohmann::json& json, int indent) {
   return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+double shown(double number) {
+  return number == 0.0 ? 0.0 : number;
+}
+
 std::string with_unit(double seconds) {
   if (seconds < 1e-3) return fmt::format("{:.1f} us", 1e6 * seconds);
   if (seconds < 1.0) return fmt::format("{:.2f} ms", 1e3 * seconds);

@@ -21,6 +21,9 @@ Rectangle rectangle_from(const std::string& text, const std::string& option);
 std::string json_text(const nlohmann::ordered_json& json, int indent = 2);
 std::string json_text(const nlohmann::json& json, int indent = 2);
 
+/// For texts: without the sign of a zero.
+double shown(double number);
+
 /// "1.50 ms".
 std::string with_unit(double seconds);
 

@@ -21,10 +21,10 @@ namespace fs = std::filesystem;
 
 PlantView view_of(const CameraOptions& camera, int threads) {
   PlantView view;
-  view.azimuth_deg = camera.azimuth_deg;
-  view.elevation_deg = camera.elevation_deg;
-  view.distance = camera.distance;
-  view.height = camera.picture_height;
+  view.azimuth_deg = camera.azimuth_deg.value_or(view.azimuth_deg);
+  view.elevation_deg = camera.elevation_deg.value_or(view.elevation_deg);
+  view.distance = camera.distance.value_or(view.distance);
+  view.height = camera.picture_height.value_or(view.height);
   view.threads = threads;
   return view;
 }
@@ -36,6 +36,26 @@ void refuse_odd_view(const PlantView& view) {
   for (const auto& [option, number] : numbers)
     if (!std::isfinite(number))
       throw InputError(fmt::format("{} {}: give a finite number", option, number));
+}
+
+void refuse_idle_camera(const CameraOptions& camera, CameraUse use, const std::string& option) {
+  const auto refuse = [&](const char* idle, const char* pictures) {
+    throw InputError(
+        fmt::format("{0} goes with {1} only; name one, as in {2} plant.png, or leave {0} out", idle,
+                    pictures, option));
+  };
+  if (use == CameraUse::none && camera.azimuth_deg) refuse("--azimuth", "a picture of the plant");
+  if (use == CameraUse::none && camera.elevation_deg)
+    refuse("--elevation", "a picture of the plant");
+  if (use != CameraUse::rendered && camera.distance) refuse("--distance", "a .png picture");
+  if (use != CameraUse::rendered && camera.picture_height)
+    refuse("--picture-height", "a .png picture");
+}
+
+void refuse_idle_split(bool split, const std::vector<std::string>& files) {
+  if (split && std::none_of(files.begin(), files.end(), is_model))
+    throw InputError(
+        "--split goes with models only; name one, as in --out plant.obj, or leave --split out");
 }
 
 std::string extension_of(const fs::path& file) {

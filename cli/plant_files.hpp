@@ -28,6 +28,15 @@ PlantView view_of(const CameraOptions& camera, int threads);
 /// InputError for angles and a distance that are no numbers: the command line lets "nan" pass.
 void refuse_odd_view(const PlantView& view);
 
+/// What comes of the camera: nothing, a drawing of lines seen from its side, or a rendered picture.
+enum class CameraUse { none, drawn, rendered };
+
+/// InputError for an option of the camera that changes nothing. `option` names pictures: "--out".
+void refuse_idle_camera(const CameraOptions& camera, CameraUse use, const std::string& option);
+
+/// InputError for --split where none of the files is a model.
+void refuse_idle_split(bool split, const std::vector<std::string>& files);
+
 /// In small letters: ".png".
 std::string extension_of(const std::filesystem::path& file);
 

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "cli/commands.hpp"
 
@@ -61,6 +62,13 @@ void add_camera(CLI::App& sub, CameraOptions& options);
 
 /// Options of the commands that time benchmarks in processes: how many samples, and how long ones.
 void add_sampling(CLI::App& sub, int& samples, double& sample_ms);
+
+/// --out of commands that write single files: comma-separated names. The library would pass over
+/// empty ones and take the words that follow for more.
+void add_files(CLI::App& sub, std::vector<std::string>& files, const std::string& meaning);
+
+/// What to call when `sub` was chosen: `chosen`, or a refusal if there is more than --example.
+std::function<int()> unless_example_has_company(const CLI::App& sub, std::function<int()> chosen);
 
 /// The library would only say that some race is required. Throws InputError.
 void refuse_unknown_race(int argc, char** argv);

@@ -18,11 +18,9 @@ void add_derive(CLI::App& app, Commands& commands) {
       ->check(CLI::Range(0, 1'000'000));
   sub->add_option("--seed", options.seed, "Of random choices, instead of that in the file")
       ->check(whole_number);
-  sub->add_option(
-         "--out", options.out,
-         "Write the drawing: .obj .glb .ply (models), .svg .png (pictures), .csv (table of "
-         "segments); several comma-separated")
-      ->delimiter(',');
+  add_files(*sub, options.out,
+            "Write the drawing: .obj .glb .ply (models), .svg .png (pictures), .csv (table of "
+            "segments); several comma-separated");
   sub->add_flag("--split", options.split, "Meshes of at most 65536 vertices each");
   add_camera(*sub, options);
   sub->add_option("--print", options.print,
@@ -39,7 +37,9 @@ void add_derive(CLI::App& app, Commands& commands) {
       "--example", options.example,
       "Print the file of this preset, to start from; or list. 'explained' explains all");
   sub->add_flag("--json", options.json, "One JSON document");
-  sub->callback([&] { commands.chosen = [&] { return derive(commands.derive); }; });
+  sub->callback([&, sub] {
+    commands.chosen = unless_example_has_company(*sub, [&] { return derive(commands.derive); });
+  });
 }
 
 }  // namespace phytobench::cli

@@ -9,17 +9,17 @@ namespace phytobench::cli {
 
 void add_camera(CLI::App& sub, CameraOptions& options) {
   sub.add_option("--azimuth", options.azimuth_deg, "Picture from this side, degrees; 0 is +x")
-      ->capture_default_str()
+      ->default_str("90")
       ->check(CLI::Range(-3600.0, 3600.0));
   sub.add_option("--elevation", options.elevation_deg, "From this height, degrees above level")
-      ->capture_default_str()
+      ->default_str("8")
       ->check(CLI::Range(-90.0, 90.0));
   sub.add_option("--distance", options.distance,
                  "From this far, in the plant's unit; 0: the whole plant fits")
-      ->capture_default_str()
+      ->default_str("0")
       ->check(CLI::Range(0.0, 1e9));
   sub.add_option("--picture-height", options.picture_height, "Pixels")
-      ->capture_default_str()
+      ->default_str("800")
       ->check(CLI::Range(16, 8192));
 }
 
@@ -36,16 +36,16 @@ void add_grow(CLI::App& app, Commands& commands) {
       ->check(CLI::Range(1, 1024));
   sub->add_option("--preset", options.preset,
                   "A parameter file that comes with the program; see phytobench list presets");
-  sub->add_option("--out", options.out,
-                  "Write the plant as .obj, .glb or .ply; several comma-separated")
-      ->delimiter(',');
+  add_files(*sub, options.out, "Write the plant as .obj, .glb or .ply; several comma-separated");
   sub->add_flag("--split", options.split, "Meshes of at most 65536 vertices each");
   sub->add_option("--picture", options.picture,
                   "Write a picture: .png of the plant, .svg of the bare skeleton");
   add_camera(*sub, options);
   sub->add_flag("--example", options.example, "Print a parameter file with every key explained");
   sub->add_flag("--json", options.json, "One JSON document");
-  sub->callback([&] { commands.chosen = [&] { return grow(commands.grow); }; });
+  sub->callback([&, sub] {
+    commands.chosen = unless_example_has_company(*sub, [&] { return grow(commands.grow); });
+  });
 }
 
 void add_overlap(CLI::App& app, Commands& commands) {
@@ -81,11 +81,9 @@ void add_build(CLI::App& app, Commands& commands) {
   sub->add_option("--seed", options.seed, "Of random(), instead of that in the file")
       ->check(whole_number);
   sub->add_option("--resolution", options.resolution, "Detail of meshes, 0.001 to 100")
-      ->capture_default_str()
+      ->default_str("1")
       ->check(CLI::Range(0.001, 100.0));
-  sub->add_option("--out", options.out,
-                  "Write the plant as .obj, .glb or .ply; several comma-separated")
-      ->delimiter(',');
+  add_files(*sub, options.out, "Write the plant as .obj, .glb or .ply; several comma-separated");
   sub->add_flag("--split", options.split, "Meshes of at most 65536 vertices each");
   sub->add_option("--picture", options.picture, "Write a .png picture");
   add_camera(*sub, options);
@@ -95,9 +93,12 @@ void add_build(CLI::App& app, Commands& commands) {
   sub->add_flag("--tree{list}", options.tree,
                 "Print the tree of instances instead: --tree=list or --tree=dot");
   sub->add_option("--example", options.example,
-                  "Print a graph that explains every key of this kind of component; or list");
+                  "Print a graph that explains every key of this kind of component, or the file of "
+                  "this preset; or list");
   sub->add_flag("--json", options.json, "One JSON document");
-  sub->callback([&] { commands.chosen = [&] { return build(commands.build); }; });
+  sub->callback([&, sub] {
+    commands.chosen = unless_example_has_company(*sub, [&] { return build(commands.build); });
+  });
 }
 
 void add_pattern(CLI::App& app, Commands& commands) {

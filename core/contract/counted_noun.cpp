@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#include "core/contract/counted_noun.hpp"
+
+#include <fmt/format.h>
+
+namespace phytobench {
+
+std::string counted_noun(std::uint64_t count, std::string_view one, std::string_view many) {
+  if (count == 1) return fmt::format("1 {}", one);
+  return many.empty() ? fmt::format("{} {}s", count, one) : fmt::format("{} {}", count, many);
+}
+
+}  // namespace phytobench
