@@ -292,30 +292,6 @@ TEST_F(BuildCommand, AnExampleMayBeAPreset) {
   expect_refused_line("build --example bush plant.toml", "leave out plant.toml");
 }
 
-TEST_F(BuildCommand, RefusesOptionsWithoutEffect) {
-  expect_refused_line("build plant.toml --split", "--split goes with models only");
-  expect_refused_line("build plant.toml --split --picture x.png", "--split goes with models only");
-  for (const char* option : {"--azimuth", "--elevation", "--distance"})
-    expect_refused_line(std::string("build plant.toml --out x.obj ") + option + " 8",
-                        std::string(option) + " goes with a");
-  expect_refused_line("build plant.toml --picture-height 800", "as in --picture plant.png");
-  expect_refused_line("build plant.toml --tree --resolution 1", "leave out --resolution");
-  expect_refused_line("build plant.toml --tree --split", "leave --split out");
-  EXPECT_EQ(left_behind(), (std::set<std::string>{"growing.toml", "plant.toml"}));
-}
-
-TEST_F(BuildCommand, WritesNoFolderAndNothingProtected) {
-  expect_refused_line("build plant.toml --out x.obj,typo/x.obj", "there is no folder typo");
-  expect_refused_line("build plant.toml --out x.obj,", "a name is missing");
-  expect_refused_line("build plant.toml --out x.obj,,y.obj", "a name is missing");
-  EXPECT_EQ(left_behind(), (std::set<std::string>{"growing.toml", "plant.toml"}));
-  write("x.mtl", "old\n");  // which a model brings along
-  std::filesystem::permissions(folder() / "x.mtl", std::filesystem::perms::owner_read);
-  expect_refused({"build", "plant.toml", "--out", "x.obj"}, 3, "x.mtl: it is write-protected");
-  EXPECT_EQ(read("x.mtl"), "old\n");
-  EXPECT_FALSE(exists("x.obj"));
-}
-
 TEST_F(BuildCommand, CountsOneInTheSingular) {
   write("one.toml", "[graph]\nroot = \"a\"\n[component.a]\nkind = \"horn\"\n");
   const std::string text = output_of({"build", "one.toml", "--time=-0"});

@@ -332,42 +332,6 @@ TEST_F(DeriveCommand, RefusesWrongOptionsBeforeItDerives) {
   expect_refused_line("derive island.svg --out ./island.svg", "overwrite the L-system");
 }
 
-TEST_F(DeriveCommand, RefusesOptionsWithoutEffect) {
-  for (const char* out : {"", " --out x.svg,x.csv"})
-    expect_refused_line(std::string("derive tree.lsys --split") + out, "goes with models only");
-  for (const char* option : {"--azimuth", "--elevation", "--distance", "--picture-height"})
-    expect_refused_line(std::string("derive tree.lsys --out x.csv,x.obj ") + option + " 80",
-                        std::string(option) + " goes with a");
-  for (const char* option : {"--distance", "--picture-height"})
-    expect_refused_line(std::string("derive tree.lsys --out x.svg ") + option + " 80",
-                        std::string(option) + " goes with a .png picture only");
-  expect_refused_line("derive --example bush --json", "leave out --json");
-  expect_refused_line("derive --example bush tree.lsys", "leave out tree.lsys");
-  EXPECT_EQ(left_behind(), given_);
-  output_of({"derive", "tree.lsys", "--out", "front.svg"});
-  output_of({"derive", "tree.lsys", "--out", "side.svg", "--azimuth", "10"});
-  EXPECT_NE(read("front.svg"), read("side.svg"));
-}
-
-TEST_F(DeriveCommand, WritesNoFolderAndNothingProtected) {
-  expect_refused_line("derive tree.lsys --out typo/x.svg", "there is no folder typo");
-  for (const char* names : {"x.svg,", ",x.svg", "x.svg,,x.csv", ","})
-    expect_refused_line(std::string("derive tree.lsys --out ") + names, "a name is missing");
-  EXPECT_EQ(left_behind(), given_);
-  write("x.svg", "old\n");
-  std::filesystem::permissions(folder() / "x.svg", std::filesystem::perms::owner_read);
-  expect_refused({"derive", "tree.lsys", "--out", "x.svg"}, 3, "x.svg: it is write-protected");
-  EXPECT_EQ(read("x.svg"), "old\n");
-}
-
-/// A word after the names is no name: it may be the system.
-TEST_F(DeriveCommand, NamesOfFilesEndAtABlank) {
-  output_of({"derive", "--out", "x.csv", "tree.lsys"});
-  output_of({"derive", "tree.lsys", "--out", "y.csv", "--out", "z.csv"});
-  EXPECT_EQ(read("x.csv"), read("y.csv"));
-  EXPECT_EQ(read("x.csv"), read("z.csv"));
-}
-
 TEST_F(DeriveCommand, CountsOneInTheSingular) {
   const std::string text =
       output_of({"derive", file("one.lsys", "axiom: F{.f+f.}\nangle: 90   steps: 0\n")});

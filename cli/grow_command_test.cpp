@@ -91,38 +91,6 @@ TEST_F(GrowCommand, RefusesFilesOfAnotherKindBeforeItGrows) {
   expect_refused({"grow", "tree.toml", "--picture-height", "1"}, 2, "--picture-height");
 }
 
-TEST_F(GrowCommand, RefusesOptionsWithoutEffect) {
-  expect_refused_line("grow tree.toml --split", "--split goes with models only");
-  expect_refused_line("grow tree.toml --out x.obj --azimuth 90", "as in --picture plant.png");
-  // That of the bare skeleton is seen from the front.
-  for (const char* option : {"--azimuth", "--elevation", "--distance"})
-    expect_refused_line(std::string("grow tree.toml --picture x.svg ") + option + " 8",
-                        std::string(option) + " goes with a");
-  expect_refused_line("grow tree.toml --picture x.svg --picture-height 800", "a .png picture");
-  expect_refused_line("grow --example --json", "leave out --json");
-  expect_refused_line("grow --example tree.toml", "leave out tree.toml");
-  EXPECT_EQ(left_behind(), std::set<std::string>{"tree.toml"});
-}
-
-TEST_F(GrowCommand, WritesNoFolderAndNothingProtected) {
-  expect_refused_line("grow tree.toml --out typo/x.obj", "there is no folder typo");
-  expect_refused_line("grow tree.toml --picture typo/x.svg", "there is no folder typo");
-  expect_refused_line("grow tree.toml --out x.obj,", "a name is missing");
-  EXPECT_EQ(left_behind(), std::set<std::string>{"tree.toml"});
-  write("x.svg", "old\n");
-  std::filesystem::permissions(folder() / "x.svg", std::filesystem::perms::owner_read);
-  expect_refused({"grow", "tree.toml", "--picture", "x.svg"}, 3, "x.svg: it is write-protected");
-  EXPECT_EQ(read("x.svg"), "old\n");
-  std::filesystem::permissions(folder() / "x.svg", std::filesystem::perms::owner_write);
-  output_of({"grow", "tree.toml", "--picture", "x.svg"});  // whoever may write may replace
-  EXPECT_NE(read("x.svg"), "old\n");
-}
-
-TEST_F(GrowCommand, DoesNotOverwriteItsParameters) {
-  write("tree.svg", read("tree.toml"));
-  expect_refused_line("grow tree.svg --picture ./tree.svg", "overwrite the parameter file");
-}
-
 TEST_F(GrowCommand, LeavesWhatWasThereWhenItCannotWrite) {
   write("kept/tree.obj", "old\n");
   write("file", "");
