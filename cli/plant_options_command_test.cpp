@@ -67,6 +67,7 @@ TEST_F(PlantOptions, BuildMakesNoFolderAndKeepsWhatIsProtected) {
   expect_refused_line("build plant.toml --out x.obj,typo/x.obj", "there is no folder typo");
   expect_refused_line("build plant.toml --out x.obj,", "a name is missing");
   expect_refused_line("build plant.toml --out x.obj,,y.obj", "a name is missing");
+  expect_refused({"build", "plant.toml", "--picture", ""}, 2, "a name is missing");
   EXPECT_EQ(left_behind(), given_);
   write("x.mtl", "old\n");  // which a model brings along
   std::filesystem::permissions(folder() / "x.mtl", std::filesystem::perms::owner_read);
@@ -92,6 +93,8 @@ TEST_F(PlantOptions, GrowMakesNoFolderAndKeepsWhatIsProtected) {
   expect_refused_line("grow tree.toml --out typo/x.obj", "there is no folder typo");
   expect_refused_line("grow tree.toml --picture typo/x.svg", "there is no folder typo");
   expect_refused_line("grow tree.toml --out x.obj,", "a name is missing");
+  for (const char* option : {"--out", "--picture"})
+    expect_refused({"grow", "tree.toml", option, ""}, 2, "a name is missing");
   EXPECT_EQ(left_behind(), given_);
   write("x.svg", "old\n");
   std::filesystem::permissions(folder() / "x.svg", std::filesystem::perms::owner_read);

@@ -80,4 +80,9 @@ inline std::string whole_number(const std::string& text) {
   return digits && text.size() <= 18 ? "" : "give a whole number of at most 18 digits";
 }
 
+/// For names of files: what is wrong with the text. Nothing would be written under an empty one.
+inline std::string some_name(const std::string& text) {
+  return text.empty() ? "a name is missing; give one, or leave the option out" : "";
+}
+
 }  // namespace phytobench::cli

@@ -39,7 +39,8 @@ void add_grow(CLI::App& app, Commands& commands) {
   add_files(*sub, options.out, "Write the plant as .obj, .glb or .ply; several comma-separated");
   sub->add_flag("--split", options.split, "Meshes of at most 65536 vertices each");
   sub->add_option("--picture", options.picture,
-                  "Write a picture: .png of the plant, .svg of the bare skeleton");
+                  "Write a picture: .png of the plant, .svg of the bare skeleton")
+      ->check(some_name);
   add_camera(*sub, options);
   sub->add_flag("--example", options.example, "Print a parameter file with every key explained");
   sub->add_flag("--json", options.json, "One JSON document");
@@ -85,7 +86,7 @@ void add_build(CLI::App& app, Commands& commands) {
       ->check(CLI::Range(0.001, 100.0));
   add_files(*sub, options.out, "Write the plant as .obj, .glb or .ply; several comma-separated");
   sub->add_flag("--split", options.split, "Meshes of at most 65536 vertices each");
-  sub->add_option("--picture", options.picture, "Write a .png picture");
+  sub->add_option("--picture", options.picture, "Write a .png picture")->check(some_name);
   add_camera(*sub, options);
   sub->add_option("--threads", options.threads, "Of pictures; never change them")
       ->capture_default_str()

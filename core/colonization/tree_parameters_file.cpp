@@ -111,7 +111,7 @@ class TreeFileReader {
     }
     std::vector<std::string> known;
     for (const TreeParameterKey& key : tree_parameter_keys()) known.emplace_back(key.name);
-    value.fail(unknown_key(name, known, "phytobench grow"));
+    value.fail(unknown_key(name, known, "phytobench grow --example"));
   }
 
   static Vector3 read_vector(const TomlValue& value, const VectorKey& kind) {

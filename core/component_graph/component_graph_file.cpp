@@ -18,7 +18,8 @@ namespace phytobench {
 
 namespace {
 
-constexpr std::string_view command = "phytobench build";
+// Every example has all keys but those of other kinds.
+constexpr std::string_view some_example = "phytobench build --example simple";
 constexpr std::array<std::string_view, 3> link_words{"child", "branch", "leaf"};
 constexpr NumberRange seed_range{.low = 0.0, .high = 0x1p53, .whole = true};
 constexpr NumberRange time_range{.low = -1e15, .high = 1e15};
@@ -26,7 +27,7 @@ constexpr NumberRange recursion_range{.low = 1.0, .high = most_recursions_allowe
 
 void refuse_unknown(const TomlValue& value, const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), value.name) == known.end())
-    value.fail(unknown_key(value.name, known, command));
+    value.fail(unknown_key(value.name, known, some_example));
 }
 
 class GraphReader {
@@ -136,7 +137,8 @@ class GraphReader {
       }
       known.push_back(fmt::format("{}.{}", prototype.name, keys[i].name));
     }
-    value.fail(unknown_key(value.name, known, command));
+    value.fail(unknown_key(value.name, known,
+                           fmt::format("phytobench build --example {}", prototype.kind->name)));
   }
 
   void read_graph() {

@@ -196,7 +196,7 @@ TEST(ComponentGraphFile, EveryWrongStructureIsRefusedWithItsPlace) {
       {"[component.a]\nkind = 3\n[graph]\nroot = \"a\"\n", "a.kind must be a text"},
       {"[component.a]\nkind = \"simpel\"\n[graph]\nroot = \"a\"\n", "did you mean 'simple'?"},
       {"[component.a]\nkind = \"BALL\"\nCOUNTT = 3\n[graph]\nroot = \"a\"\n",
-       "unknown key 'a.COUNTT'; did you mean 'a.COUNT'?"},
+       "unknown key 'a.COUNTT'; did you mean 'a.COUNT'? (phytobench build --example "},
       {"[component.a]\nkind = \"BALL\"\nmost_recursions = 0\n[graph]\nroot = \"a\"\n",
        "a.most_recursions = 0 is not allowed; give a number >= 1 and <= 1000, whole"},
       {"[component.a]\nkind = \"BALL\"\n\"x.y\" = 0\n[graph]\nroot = \"a\"\n", "in quotes"}};

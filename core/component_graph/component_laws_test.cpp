@@ -125,6 +125,7 @@ TEST_P(ComponentLaw, TheExampleCanBeReadAndBuilt) {
   EXPECT_GT(plant.triangle_count, 0u) << text;
   for (const ComponentKey& key : kind().keys)
     EXPECT_NE(text.find(fmt::format("\n{} = ", key.name)), std::string::npos) << key.name;
+  EXPECT_NE(text.find("rounded to the nearest"), std::string::npos) << "of whole numbers";
 }
 
 TEST_P(ComponentLaw, ChildrenStandInRightFrames) {

@@ -131,7 +131,8 @@ class NumberReader {
   void refuse_unknown(const toml::key& key, const toml::node& node,
                       const std::vector<std::string>& known) const {
     if (std::find(known.begin(), known.end(), key.str()) == known.end())
-      inside(node).fail(unknown_key(value_name(key.str()), qualified(known), "phytobench build"));
+      inside(node).fail(unknown_key(value_name(key.str()), qualified(known),
+                                    "phytobench build --example simple"));
   }
 
   std::vector<std::string> qualified(const std::vector<std::string>& keys) const {

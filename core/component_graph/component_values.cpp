@@ -22,7 +22,7 @@ double ComponentValues::resolved(std::size_t key, const InstancePlace& place) co
   limits.low = std::max(limits.low, -largest_parameter);
   limits.high = std::min(limits.high, largest_parameter);
   if (is_allowed(rounded, limits)) return rounded;
-  throw InputError(fmt::format("{} for i = {}, n = {}, depth = {}, t = {}",
+  throw InputError(fmt::format("{} (it is that at i = {}, n = {}, depth = {}, t = {})",
                                out_of_range(range->where, rounded, limits), place.number.i,
                                place.number.n, place.depth, place.time));
 }

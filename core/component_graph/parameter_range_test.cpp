@@ -132,6 +132,15 @@ TEST(ParameterRange, WholeNumbersAreRoundedToTheNearest) {
   EXPECT_EQ(count(3), 5u);
   EXPECT_EQ(count(4), 5u);
   EXPECT_EQ(count(5), 6u);
+  const auto made = [](double value, const std::string& function) {
+    const std::vector<ComponentSetting> setting{range(value, value, function)};
+    return ComponentValues(test_components::count_key, setting, place(1, 1)).count(0);
+  };
+  EXPECT_EQ(made(2.0, "value * 1.2"), 2u);
+  EXPECT_EQ(made(2.0, "value * 1.25"), 3u);  // halves up
+  EXPECT_EQ(made(2.0, "value * 1.75"), 4u);
+  EXPECT_EQ(made(2.0, "-0.2 * value"), 0u);
+  EXPECT_THROW(made(2.0, "-0.3 * value"), InputError);  // -1 is below the least
 }
 
 TEST(ParameterRange, WhatAFunctionGivesIsHeldAgainstTheRange) {

@@ -31,9 +31,9 @@ std::string out_of_range(std::string_view name, double value, const NumberRange&
 }
 
 std::string unknown_key(std::string_view name, std::span<const std::string> known,
-                        std::string_view command) {
-  return fmt::format("unknown key '{}'{} ({} --example lists all keys)", in_one_line(name),
-                     did_you_mean(name, known), command);
+                        std::string_view example) {
+  return fmt::format("unknown key '{}'{} ({} lists all keys)", in_one_line(name),
+                     did_you_mean(name, known), example);
 }
 
 std::string set_the_same(std::string_view key, std::string_view other) {

@@ -38,9 +38,9 @@ std::string allowed(const NumberRange& range);
 /// "key = 2 is not allowed; give a number >= 0 and <= 1".
 std::string out_of_range(std::string_view name, double value, const NumberRange& range);
 
-/// "unknown key 'sed'; did you mean 'seed'? (`command` --example lists all keys)".
+/// "unknown key 'sed'; did you mean 'seed'? (`example` lists all keys)".
 std::string unknown_key(std::string_view name, std::span<const std::string> known,
-                        std::string_view command);
+                        std::string_view example);
 
 /// Two keys that exclude each other are both given.
 std::string set_the_same(std::string_view key, std::string_view other);

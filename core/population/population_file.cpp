@@ -116,7 +116,7 @@ class PopulationFileReader {
   [[noreturn]] static void refuse_unknown(const TomlValue& value) {
     std::vector<std::string> known;
     for (const PopulationKey& key : population_keys()) known.emplace_back(key.name);
-    value.fail(unknown_key(value.name, known, "phytobench compete"));
+    value.fail(unknown_key(value.name, known, "phytobench compete --example"));
   }
 
   /// Calls add with the path of every entry when its values are read.
