@@ -6,13 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include "core/colonization/test_streams.hpp"
 #include "core/contract/errors.hpp"
 #include "core/random/counter_stream.hpp"
 
 namespace phytobench {
 namespace {
 
-constexpr double rounding = 1e-12;  // a few floating-point operations on numbers below 100
+constexpr double cloud_rounding = 1e-12;  // a few floating-point operations on numbers below 100
 
 const std::vector<CutEllipsoid>& shapes() {
   static const std::vector<CutEllipsoid> all{
@@ -24,27 +25,15 @@ const std::vector<CutEllipsoid>& shapes() {
   return all;
 }
 
-/// Hands out given numbers and knows how many were taken.
-class ScriptedStream final : public UnitStream {
- public:
-  explicit ScriptedStream(std::vector<double> numbers) : numbers_(std::move(numbers)) {}
-  double next_unit() override { return numbers_.at(used_++); }
-  std::size_t used() const { return used_; }
-
- private:
-  std::vector<double> numbers_;
-  std::size_t used_ = 0;
-};
-
 std::vector<Vector3> sample(const CutEllipsoid& shape, std::size_t count, const Vector3& root) {
   CounterStream stream(1, 0);
   return attraction_points(shape, count, root, stream);
 }
 
 TEST(UnitSegmentVolume, OfKnownCutsIsKnown) {
-  EXPECT_NEAR(unit_segment_volume(0.0, 0.0), 4.188790204786391, rounding);
-  EXPECT_NEAR(unit_segment_volume(0.15, 0.05), 3.903952470860916, rounding);
-  EXPECT_NEAR(unit_segment_volume(0.5, 0.0), 2.0943951023931957, rounding);
+  EXPECT_NEAR(unit_segment_volume(0.0, 0.0), 4.188790204786391, cloud_rounding);
+  EXPECT_NEAR(unit_segment_volume(0.15, 0.05), 3.903952470860916, cloud_rounding);
+  EXPECT_NEAR(unit_segment_volume(0.5, 0.0), 2.0943951023931957, cloud_rounding);
 }
 
 TEST(UnitSegmentVolume, RefusesCutsThatLeaveNothing) {
@@ -58,13 +47,13 @@ TEST(UnitSegmentVolume, RefusesCutsThatLeaveNothing) {
 
 TEST(UnitSegmentVolumeLaw, IsSymmetricInTopAndBottom) {
   for (const double cut : {0.05, 0.2, 0.45})
-    EXPECT_NEAR(unit_segment_volume(cut, 0.1), unit_segment_volume(0.1, cut), rounding);
+    EXPECT_NEAR(unit_segment_volume(cut, 0.1), unit_segment_volume(0.1, cut), cloud_rounding);
 }
 
 TEST(UnitSegmentVolumeLaw, OfThePartsAddsUpToTheWhole) {
   for (const double cut : {0.1, 0.3, 0.5, 0.8})
     EXPECT_NEAR(unit_segment_volume(cut, 0.0) + unit_segment_volume(0.0, 1.0 - cut),
-                unit_segment_volume(0.0, 0.0), rounding);
+                unit_segment_volume(0.0, 0.0), cloud_rounding);
 }
 
 TEST(AttractionPointCount, IsVolumeTimesDensityRoundedUp) {
@@ -94,9 +83,10 @@ TEST(AttractionPoints, AreDrawnHeightFirst) {
   const auto points = attraction_points({}, 1, {0, 0, 0}, stream);
   ASSERT_EQ(points.size(), 1u);
   EXPECT_EQ(stream.used(), 8u);
-  EXPECT_NEAR(points[0].x, -2.5, rounding);
-  EXPECT_NEAR(points[0].y, 4.9, rounding);  // the centre lies 7 - 0.15 * 14 above the crown root
-  EXPECT_NEAR(points[0].z, 2.25, rounding);
+  EXPECT_NEAR(points[0].x, -2.5, cloud_rounding);
+  EXPECT_NEAR(points[0].y, 4.9,
+              cloud_rounding);  // the centre lies 7 - 0.15 * 14 above the crown root
+  EXPECT_NEAR(points[0].z, 2.25, cloud_rounding);
 }
 
 TEST(AttractionPoints, CanBeNone) {
@@ -112,9 +102,9 @@ TEST(AttractionPointsLaw, LieInsideTheCutEllipsoid) {
     for (const Vector3& point : points) {
       const Vector3 unit{(point.x - root.x) / shape.radii.x, (point.y - centre_y) / shape.radii.y,
                          (point.z - root.z) / shape.radii.z};
-      ASSERT_LE(squared_norm(unit), 1.0 + rounding);
-      ASSERT_GE(unit.y, -1.0 + 2.0 * shape.cutoff_bottom - rounding);
-      ASSERT_LE(unit.y, 1.0 - 2.0 * shape.cutoff_top + rounding);
+      ASSERT_LE(squared_norm(unit), 1.0 + cloud_rounding);
+      ASSERT_GE(unit.y, -1.0 + 2.0 * shape.cutoff_bottom - cloud_rounding);
+      ASSERT_LE(unit.y, 1.0 - 2.0 * shape.cutoff_top + cloud_rounding);
     }
   }
 }
@@ -124,11 +114,11 @@ TEST(AttractionPointsLaw, StandOnTheCrownRoot) {
   for (const CutEllipsoid& shape : shapes()) {
     const BoundingBox box = extent_of(sample(shape, 2000, root));
     const double height = 2.0 * shape.radii.y * (1.0 - shape.cutoff_bottom - shape.cutoff_top);
-    EXPECT_GE(box.low().y, root.y - rounding);
+    EXPECT_GE(box.low().y, root.y - cloud_rounding);
     // The lowest and the highest tenth hold at least 1.4 % of any of these volumes, so 2000 points
     // leave one of them empty with a probability of exp(-28).
     EXPECT_LE(box.low().y, root.y + 0.1 * height);
-    EXPECT_LE(box.high().y, root.y + height + rounding);
+    EXPECT_LE(box.high().y, root.y + height + cloud_rounding);
     EXPECT_GE(box.high().y, root.y + 0.9 * height);
   }
 }

@@ -11,30 +11,30 @@ namespace phytobench {
 namespace {
 
 constexpr std::size_t many = 20000;
-constexpr double rounding = 1e-12;  // relative to the radius
+constexpr double radius_rounding = 1e-12;  // relative to the radius
 
 std::vector<Vector3> sample(const RoundRegion& region, std::uint64_t seed = 1,
                             std::size_t count = many) {
   return attraction_points(region, count, *make_stream(StreamKind::counter, seed, 1));
 }
 
-constexpr Vector3 centre{3, -4, 5};
-const RoundRegion disc{RoundShape::disc, 500.0, 0.0, centre};
-const RoundRegion annulus{RoundShape::annulus, 500.0, 300.0, centre};
-const RoundRegion ring{RoundShape::ring, 500.0, 0.0, centre};
-const RoundRegion shell{RoundShape::sphere_shell, 500.0, 300.0, centre};
-const RoundRegion sphere{RoundShape::sphere_shell, 500.0, 500.0, centre};
+constexpr Vector3 region_centre{3, -4, 5};
+const RoundRegion disc{RoundShape::disc, 500.0, 0.0, region_centre};
+const RoundRegion annulus{RoundShape::annulus, 500.0, 300.0, region_centre};
+const RoundRegion ring{RoundShape::ring, 500.0, 0.0, region_centre};
+const RoundRegion shell{RoundShape::sphere_shell, 500.0, 300.0, region_centre};
+const RoundRegion sphere{RoundShape::sphere_shell, 500.0, 500.0, region_centre};
 
 TEST(AttractionRegion, HoldsItsPoints) {
   for (const RoundRegion& region : {disc, annulus, ring, shell, sphere}) {
     const bool is_line = region.shape == RoundShape::ring;
     const double inner = is_line ? region.radius : region.inner_radius;
     for (const Vector3& point : sample(region)) {
-      const double distance = norm(point - centre);
-      ASSERT_GE(distance, inner * (1.0 - rounding));
-      ASSERT_LE(distance, region.radius * (1.0 + rounding));
+      const double distance = norm(point - region_centre);
+      ASSERT_GE(distance, inner * (1.0 - radius_rounding));
+      ASSERT_LE(distance, region.radius * (1.0 + radius_rounding));
       if (region.shape != RoundShape::sphere_shell) {
-        ASSERT_EQ(point.z, centre.z);
+        ASSERT_EQ(point.z, region_centre.z);
       }
     }
   }
@@ -44,7 +44,7 @@ TEST(AttractionRegion, HoldsItsPoints) {
 double mean_power(const RoundRegion& region, double power) {
   double sum = 0.0;
   for (const Vector3& point : sample(region))
-    sum += std::pow(norm(point - centre) / region.radius, power);
+    sum += std::pow(norm(point - region_centre) / region.radius, power);
   return sum / static_cast<double>(many);
 }
 
@@ -62,7 +62,7 @@ TEST(AttractionRegionLaw, IsFilledUniformly) {
 TEST(AttractionRegionLaw, HasNoPreferredSide) {
   for (const RoundRegion& region : {disc, annulus, ring, shell, sphere}) {
     Vector3 mean;
-    for (const Vector3& point : sample(region)) mean = mean + (point - centre);
+    for (const Vector3& point : sample(region)) mean = mean + (point - region_centre);
     // A coordinate's standard deviation is at most the radius over the root of 2.
     const double error = region.radius * std::sqrt(0.5 / static_cast<double>(many));
     for (const double component : {mean.x, mean.y, mean.z})
@@ -74,7 +74,7 @@ TEST(AttractionRegionLaw, HasNoPreferredSide) {
 TEST(AttractionRegionLaw, SphereHasAsManyPointsNearItsPolesAsItsAreaAsks) {
   std::size_t near_poles = 0;
   for (const Vector3& point : sample(sphere))
-    near_poles += std::abs(point.z - centre.z) > 0.9 * sphere.radius;
+    near_poles += std::abs(point.z - region_centre.z) > 0.9 * sphere.radius;
   const double share = static_cast<double>(near_poles) / static_cast<double>(many);
   EXPECT_NEAR(share, 0.1, 5.0 * std::sqrt(0.09 / static_cast<double>(many)));
 }

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/colonization/test_growth.hpp"
 #include "core/random/counter_stream.hpp"
 
 namespace phytobench {
@@ -14,9 +15,8 @@ namespace {
 using enum AttractionSum;
 using enum TropismOrder;
 
-constexpr double rounding =
+constexpr double direction_rounding =
     1e-12;  // a few floating-point operations; directions stay 0.02 rad apart
-constexpr double half_angle_rad = 80.0 * std::numbers::pi / 180.0;
 
 Vector3 random_unit_vector(UnitStream& stream) {
   const double x = stream.next_between(-1.0, 1.0);
@@ -28,9 +28,9 @@ Vector3 random_unit_vector(UnitStream& stream) {
 
 TEST(Attraction, IsAUnitVectorToThePointOrTheWholeWay) {
   const Vector3 unit = attraction({1, 1, 1}, {1, 4, 5}, unit_vectors);
-  EXPECT_NEAR(unit.x, 0.0, rounding);
-  EXPECT_NEAR(unit.y, 0.6, rounding);
-  EXPECT_NEAR(unit.z, 0.8, rounding);
+  EXPECT_NEAR(unit.x, 0.0, direction_rounding);
+  EXPECT_NEAR(unit.y, 0.6, direction_rounding);
+  EXPECT_NEAR(unit.z, 0.8, direction_rounding);
   EXPECT_EQ(attraction({1, 1, 1}, {1, 4, 5}, raw_vectors), (Vector3{0, 3, 4}));
 }
 
@@ -43,12 +43,12 @@ TEST(GrowthDirection, AddsTropismBeforeOrAfterNormalising) {
   const Vector3 sum{3, 0, 0}, tropism{0, 1, 0};
   const auto before = growth_direction(sum, tropism, before_normalising);
   ASSERT_TRUE(before.has_value());
-  EXPECT_NEAR(before->x, 3.0 / std::sqrt(10.0), rounding);
-  EXPECT_NEAR(before->y, 1.0 / std::sqrt(10.0), rounding);
+  EXPECT_NEAR(before->x, 3.0 / std::sqrt(10.0), direction_rounding);
+  EXPECT_NEAR(before->y, 1.0 / std::sqrt(10.0), direction_rounding);
   const auto after = growth_direction(sum, tropism, after_normalising);
   ASSERT_TRUE(after.has_value());
-  EXPECT_NEAR(after->x, std::sqrt(0.5), rounding);
-  EXPECT_NEAR(after->y, std::sqrt(0.5), rounding);
+  EXPECT_NEAR(after->x, std::sqrt(0.5), direction_rounding);
+  EXPECT_NEAR(after->y, std::sqrt(0.5), direction_rounding);
 }
 
 TEST(GrowthDirection, OfNothingIsNone) {
@@ -79,7 +79,7 @@ TEST(GrowthDirectionLaw, HasUnitLength) {
     for (const TropismOrder order : {before_normalising, after_normalising}) {
       const auto direction = growth_direction(sum, tropism, order);
       ASSERT_TRUE(direction.has_value());
-      ASSERT_NEAR(norm(*direction), 1.0, rounding);
+      ASSERT_NEAR(norm(*direction), 1.0, direction_rounding);
     }
   }
 }
@@ -94,9 +94,9 @@ TEST(DirectionLimit, TurnsABackwardDirectionToTheEdge) {
   const DirectionLimit limit(half_angle_rad);
   const double angle_rad = 120.0 * std::numbers::pi / 180.0;
   const Vector3 turned = limit({0.0, std::cos(angle_rad), std::sin(angle_rad)}, {0, 1, 0});
-  EXPECT_NEAR(turned.x, 0.0, rounding);
-  EXPECT_NEAR(turned.y, std::cos(half_angle_rad), rounding);
-  EXPECT_NEAR(turned.z, std::sin(half_angle_rad), rounding);
+  EXPECT_NEAR(turned.x, 0.0, direction_rounding);
+  EXPECT_NEAR(turned.y, std::cos(half_angle_rad), direction_rounding);
+  EXPECT_NEAR(turned.z, std::sin(half_angle_rad), direction_rounding);
 }
 
 TEST(DirectionLimit, TurnsTheOppositeDirectionToSomeEdge) {
@@ -104,8 +104,8 @@ TEST(DirectionLimit, TurnsTheOppositeDirectionToSomeEdge) {
   for (const Vector3& node : {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1},
                               Vector3{-1, 0, 0}, Vector3{0, -1, 0}, Vector3{0, 0, -1}}) {
     const Vector3 turned = limit(-1.0 * node, node);
-    EXPECT_NEAR(norm(turned), 1.0, rounding);
-    EXPECT_NEAR(dot(turned, node), std::cos(half_angle_rad), rounding);
+    EXPECT_NEAR(norm(turned), 1.0, direction_rounding);
+    EXPECT_NEAR(dot(turned, node), std::cos(half_angle_rad), direction_rounding);
   }
 }
 
@@ -124,9 +124,9 @@ TEST(DirectionLimitLaw, KeepsWhatIsInsideAndTurnsTheRestToTheEdgeInTheSamePlane)
       continue;
     }
     ++turned;
-    ASSERT_NEAR(dot(limited, node), edge, rounding) << "pair " << i;
-    ASSERT_NEAR(norm(limited), 1.0, rounding) << "pair " << i;
-    ASSERT_NEAR(dot(limited, cross(direction, node)), 0.0, rounding) << "pair " << i;
+    ASSERT_NEAR(dot(limited, node), edge, direction_rounding) << "pair " << i;
+    ASSERT_NEAR(norm(limited), 1.0, direction_rounding) << "pair " << i;
+    ASSERT_NEAR(dot(limited, cross(direction, node)), 0.0, direction_rounding) << "pair " << i;
     // On the same side of the node's direction: turned as little as possible.
     ASSERT_GT(dot(limited - edge * node, direction), 0.0) << "pair " << i;
   }

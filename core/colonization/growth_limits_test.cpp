@@ -12,6 +12,7 @@
 
 #include "core/colonization/branching_limits.hpp"
 #include "core/colonization/test_discs.hpp"
+#include "core/colonization/test_growth.hpp"
 #include "core/contract/errors.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 #include "core/tree/branch_depth.hpp"
@@ -20,12 +21,7 @@
 namespace phytobench {
 namespace {
 
-constexpr double rounding = 1e-9;  // coordinates below 1000
-
-GrowthResult grow(const Seedling& seedling) {
-  const auto engine = engine_named("squared_scan").create();
-  return grow_crown(seedling, *engine);
-}
+constexpr double coordinate_rounding = 1e-9;  // coordinates below 1000
 
 std::size_t distinct_places(const Skeleton& tree) {
   std::set<std::tuple<double, double, double>> places;
@@ -88,7 +84,8 @@ TEST(GrowthInADiscLaw, EveryEdgeIsOneStep) {
   const Skeleton tree = grow(disc_scene(1)).skeleton;
   ASSERT_GT(tree.edge_count(), 100u);
   for (std::size_t i = 1; i < tree.node_count(); ++i)
-    ASSERT_NEAR(norm(tree.positions()[i] - tree.position(tree.parents()[i])), 15.0, rounding);
+    ASSERT_NEAR(norm(tree.positions()[i] - tree.position(tree.parents()[i])), 15.0,
+                coordinate_rounding);
 }
 
 TEST(GrowthInADiscLaw, AfterEachIterationExactlyThePointsNearNodesAreGone) {
@@ -117,9 +114,9 @@ double angle_deg_between_points_and_growth(int points, TropismOrder order) {
 TEST(Tropism, CountsAsOnePointMoreOrAsMuchAsAllOfThem) {
   for (const int points : {1, 2, 4, 8}) {
     EXPECT_NEAR(angle_deg_between_points_and_growth(points, TropismOrder::before_normalising),
-                std::atan(1.0 / points) * 180.0 / std::numbers::pi, rounding);
+                std::atan(1.0 / points) * 180.0 / std::numbers::pi, coordinate_rounding);
     EXPECT_NEAR(angle_deg_between_points_and_growth(points, TropismOrder::after_normalising), 45.0,
-                rounding);
+                coordinate_rounding);
   }
 }
 

@@ -8,17 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "core/colonization/test_discs.hpp"
+#include "core/colonization/test_growth.hpp"
 #include "core/colonization/tree_parameters.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 
 namespace phytobench {
 namespace {
-
-GrowthResult grow(const Seedling& seedling, const GrowthRun& run = {},
-                  std::string_view engine = "squared_scan") {
-  const auto made = engine_named(engine).create();
-  return grow_crown(seedling, *made, run);
-}
 
 Seedling resting_disc(std::uint64_t seed, std::int32_t rest_iterations) {
   Seedling seedling = disc_scene(seed);

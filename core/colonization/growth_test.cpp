@@ -10,19 +10,13 @@
 
 #include <gtest/gtest.h>
 
+#include "core/colonization/test_growth.hpp"
 #include "core/colonization/tree_parameters.hpp"
 #include "core/contract/errors.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 
 namespace phytobench {
 namespace {
-
-constexpr double half_angle_rad = 80.0 * std::numbers::pi / 180.0;
-
-GrowthResult grow(const Seedling& seedling, const GrowthRun& run = {}) {
-  const auto engine = engine_named("squared_scan").create();
-  return grow_crown(seedling, *engine, run);
-}
 
 GrowthRun with_option(std::string_view name) {
   return {.options = loop_options_named(name)};
@@ -41,13 +35,6 @@ Seedling scene(std::vector<Vector3> points, int iterations, double influence_dis
                      .tropism = {},
                      .variant = {}};
   return seedling;
-}
-
-/// The thesis' start settings with a small crown: 1039 points, some 240 crown edges.
-TreeParameters small_tree() {
-  TreeParameters parameters;
-  parameters.cloud.radii = {2.0, 2.8, 1.8};
-  return parameters;
 }
 
 template <class Field>

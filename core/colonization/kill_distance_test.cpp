@@ -11,7 +11,7 @@
 namespace phytobench {
 namespace {
 
-constexpr double rounding = 1e-12;  // a few floating-point operations on numbers near 1
+constexpr double distance_rounding = 1e-12;  // a few floating-point operations on numbers near 1
 
 /// The thesis' worked example.
 KillDistanceSchedule worked_example(KillInterpolation interpolation) {
@@ -34,11 +34,11 @@ TEST(KillDistanceSchedule, GivesTheWorkedExamplesOfTheThesis) {
 TEST(KillDistanceSchedule, InterpolatesSquaresBetweenTheSameEnds) {
   KillDistanceSchedule schedule = worked_example(KillInterpolation::squared);
   EXPECT_NEAR(schedule.at(1, 3), std::sqrt((4.0 + 1.44) / 2.0),
-              rounding);  // sigmoid(0) is one half
+              distance_rounding);  // sigmoid(0) is one half
   schedule.sigmoid_begin = -50.0;
   schedule.sigmoid_end = 50.0;
-  EXPECT_NEAR(schedule.at(0, 30), 2.0, rounding);
-  EXPECT_NEAR(schedule.at(29, 30), 1.2, rounding);
+  EXPECT_NEAR(schedule.at(0, 30), 2.0, distance_rounding);
+  EXPECT_NEAR(schedule.at(29, 30), 1.2, distance_rounding);
 }
 
 TEST(KillDistanceSchedule, DefaultIsTheSquare) {
@@ -88,7 +88,7 @@ TEST(Sigmoid, GivesTheWorkedExampleOfTheThesis) {
 
 TEST(SigmoidLaw, IsPointSymmetricAboutOneHalf) {
   for (const double x : {0.1, 1.0, 5.0, 30.0, 700.0})
-    EXPECT_NEAR(sigmoid(-x) + sigmoid(x), 1.0, rounding) << x;
+    EXPECT_NEAR(sigmoid(-x) + sigmoid(x), 1.0, distance_rounding) << x;
 }
 
 TEST(GnarlinessCoupling, HasTheEndPointsItsAuthorPublished) {
@@ -98,27 +98,27 @@ TEST(GnarlinessCoupling, HasTheEndPointsItsAuthorPublished) {
   EXPECT_EQ(straight.kill_distance_max, 1.25);
   EXPECT_EQ(straight.cloud_density, 12.0);
   const GnarlinessCoupling gnarled = couple_to_gnarliness(1.0);
-  EXPECT_NEAR(gnarled.influence_distance, 0.5, rounding);
-  EXPECT_NEAR(gnarled.kill_distance_min, 0.05, rounding);
-  EXPECT_NEAR(gnarled.kill_distance_max, 0.4125, rounding);
-  EXPECT_NEAR(gnarled.cloud_density, 30.0, rounding);
+  EXPECT_NEAR(gnarled.influence_distance, 0.5, distance_rounding);
+  EXPECT_NEAR(gnarled.kill_distance_min, 0.05, distance_rounding);
+  EXPECT_NEAR(gnarled.kill_distance_max, 0.4125, distance_rounding);
+  EXPECT_NEAR(gnarled.cloud_density, 30.0, distance_rounding);
 }
 
 TEST(GnarlinessCoupling, GivesTheStartSettings) {
   const GnarlinessCoupling coupling = couple_to_gnarliness(0.8);
-  EXPECT_NEAR(coupling.influence_distance, 0.66, rounding);
-  EXPECT_NEAR(coupling.kill_distance(0.0), 0.58, rounding);
+  EXPECT_NEAR(coupling.influence_distance, 0.66, distance_rounding);
+  EXPECT_NEAR(coupling.kill_distance(0.0), 0.58, distance_rounding);
   EXPECT_NEAR(coupling.kill_distance(0.8), 0.2649, 5e-5);  // published with four digits
-  EXPECT_NEAR(coupling.cloud_density, 26.4, rounding);
+  EXPECT_NEAR(coupling.cloud_density, 26.4, distance_rounding);
 }
 
 TEST(GnarlinessCoupling, IsLinearInTheSquareOfTheKillDistance) {
   const GnarlinessCoupling coupling = couple_to_gnarliness(0.3);
   const double largest = coupling.kill_distance_max, smallest = coupling.kill_distance_min;
-  EXPECT_NEAR(coupling.kill_distance(0.0), largest, rounding);
-  EXPECT_NEAR(coupling.kill_distance(1.0), smallest, rounding);
+  EXPECT_NEAR(coupling.kill_distance(0.0), largest, distance_rounding);
+  EXPECT_NEAR(coupling.kill_distance(1.0), smallest, distance_rounding);
   EXPECT_NEAR(coupling.kill_distance(0.5),
-              std::sqrt((largest * largest + smallest * smallest) / 2.0), rounding);
+              std::sqrt((largest * largest + smallest * smallest) / 2.0), distance_rounding);
 }
 
 TEST(GnarlinessCoupling, RefusesWhatIsNoShare) {

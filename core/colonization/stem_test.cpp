@@ -8,12 +8,13 @@
 
 #include <gtest/gtest.h>
 
+#include "core/colonization/test_streams.hpp"
 #include "core/random/counter_stream.hpp"
 
 namespace phytobench {
 namespace {
 
-constexpr double rounding = 1e-12;  // a few floating-point operations on numbers below 10
+constexpr double edge_rounding = 1e-12;  // a few floating-point operations on numbers below 10
 constexpr double five_degrees_rad = 5.0 * std::numbers::pi / 180.0;
 
 struct GrownStem {
@@ -33,18 +34,6 @@ Vector3 edge(const Skeleton& skeleton, std::size_t node) {
   return skeleton.positions()[node] - skeleton.position(skeleton.parents()[node]);
 }
 
-/// Hands out given numbers and knows how many were taken.
-class ScriptedStream final : public UnitStream {
- public:
-  explicit ScriptedStream(std::vector<double> numbers) : numbers_(std::move(numbers)) {}
-  double next_unit() override { return numbers_.at(used_++); }
-  std::size_t used() const { return used_; }
-
- private:
-  std::vector<double> numbers_;
-  std::size_t used_ = 0;
-};
-
 TEST(AppendStem, CutsTheLengthIntoPieces) {
   const std::pair<double, std::size_t> cases[] = {{0.0, 0}, {1.0, 4}, {1.2, 5}, {1.8, 8}, {2.0, 8}};
   for (const auto& [length, edges] : cases) {
@@ -63,8 +52,8 @@ TEST(AppendStem, MakesTheLastPieceShorter) {
   const Skeleton skeleton = stem(1.1, 0.25, five_degrees_rad).skeleton;
   ASSERT_EQ(skeleton.edge_count(), 5u);
   for (std::size_t node = 1; node < 5; ++node)
-    EXPECT_NEAR(norm(edge(skeleton, node)), 0.25, rounding);
-  EXPECT_NEAR(norm(edge(skeleton, 5)), 0.1, rounding);
+    EXPECT_NEAR(norm(edge(skeleton, node)), 0.25, edge_rounding);
+  EXPECT_NEAR(norm(edge(skeleton, 5)), 0.1, edge_rounding);
 }
 
 TEST(AppendStem, StandsStraightWithoutTilt) {
@@ -96,13 +85,13 @@ TEST(AppendStem, DrawsFourNumbersPerPiece) {
   append_stem(skeleton, 0, 2.0, 1.0, 0.1, stream);
   EXPECT_EQ(stream.used(), 8u);
   const Vector3 first = edge(skeleton, 1);
-  EXPECT_NEAR(first.x, 0.0, rounding);
-  EXPECT_NEAR(first.y, std::cos(0.1), rounding);
-  EXPECT_NEAR(first.z, std::sin(0.1), rounding);
+  EXPECT_NEAR(first.x, 0.0, edge_rounding);
+  EXPECT_NEAR(first.y, std::cos(0.1), edge_rounding);
+  EXPECT_NEAR(first.z, std::sin(0.1), edge_rounding);
   const Vector3 second = edge(skeleton, 2);
   EXPECT_EQ(second.x, 0.0);
-  EXPECT_NEAR(second.y, 1.0, rounding);
-  EXPECT_NEAR(second.z, 0.0, rounding);
+  EXPECT_NEAR(second.y, 1.0, edge_rounding);
+  EXPECT_NEAR(second.z, 0.0, edge_rounding);
 }
 
 TEST(AppendStemLaw, NeverTiltsBeyondTheLimit) {
@@ -114,7 +103,7 @@ TEST(AppendStemLaw, NeverTiltsBeyondTheLimit) {
         const Vector3 piece = edge(skeleton, node);
         // Unlike the arc cosine of a dot product, this is accurate for small angles.
         const double tilt_rad = std::atan2(std::hypot(piece.x, piece.z), piece.y);
-        ASSERT_LE(tilt_rad, limit_rad + rounding) << "seed " << seed << ", node " << node;
+        ASSERT_LE(tilt_rad, limit_rad + edge_rounding) << "seed " << seed << ", node " << node;
         largest_rad = std::max(largest_rad, tilt_rad);
       }
     }

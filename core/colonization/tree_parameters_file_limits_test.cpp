@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/colonization/test_growth.hpp"
 #include "core/colonization/tree_parameters_file.hpp"
 #include "core/contract/errors.hpp"
 #include "core/nearest_node/engine_registry.hpp"
@@ -18,13 +19,9 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-TreeParameters parse(std::string_view text) {
-  return parse_tree_parameters(text, "tree.toml");
-}
-
 void expect_complaint(std::string_view text, std::string_view place, std::string_view part) {
   try {
-    parse(text);
+    parsed_tree(text);
     ADD_FAILURE() << "no complaint about\n" << text;
   } catch (const InputError& error) {
     const std::string message = error.what();
@@ -55,7 +52,7 @@ GrowthResult grow(const TreeParameters& parameters) {
 }
 
 TEST(TreeFileLimits, ReachTheirPlaces) {
-  const TreeParameters read = parse(R"(
+  const TreeParameters read = parsed_tree(R"(
 [growth]
 most_children = 3
 most_branch_depth = 4
@@ -84,7 +81,8 @@ curve_reduction_order = "root_to_tip"
 }
 
 TEST(TreeFileLimits, AreUnlimitedAtFirst) {
-  for (const TreeParameters& read : {parse(""), parse("growth.most_children = inf\n")}) {
+  for (const TreeParameters& read :
+       {parsed_tree(""), parsed_tree("growth.most_children = inf\n")}) {
     EXPECT_EQ(read.limits.most_children, GrowthLimits::unlimited);
     EXPECT_EQ(read.limits.most_branch_depth, GrowthLimits::unlimited);
     EXPECT_EQ(read.limits.rest_iterations, GrowthLimits::unlimited);
@@ -96,8 +94,8 @@ TEST(TreeFileLimits, OfWeightsNeedADepth) {
   const std::string weights = "[growth]\nstep_weighting = \"by_branch_depth\"\n";
   expect_complaint(weights, "2", "growth.most_branch_depth = inf");
   expect_complaint(weights + "most_branch_depth = 0\n", "2", "growth.most_branch_depth = 0");
-  EXPECT_NO_THROW(parse(weights + "most_branch_depth = 1\n"));
-  EXPECT_NO_THROW(parse("growth.most_branch_depth = 0\n"));
+  EXPECT_NO_THROW(parsed_tree(weights + "most_branch_depth = 1\n"));
+  EXPECT_NO_THROW(parsed_tree("growth.most_branch_depth = 0\n"));
 }
 
 TEST(TreeFileLimits, OfChildrenAndRestStartAtOne) {
@@ -112,9 +110,9 @@ TEST(TreeFileBoundaries, MustNotRemoveWhatNeverAttracts) {
       "[growth]\ninfluence_distance = 1\nkill_distance_begin = 1\nkill_distance_end = 1\n";
   expect_complaint(equal + "[variant]\ninfluence_boundary = \"exclusive\"\n", "6",
                    "variant.kill_boundary");
-  EXPECT_NO_THROW(parse(equal + "[variant]\nkill_boundary = \"exclusive\"\n"));
-  EXPECT_NO_THROW(parse(equal + "[variant]\ninfluence_boundary = \"exclusive\"\n"
-                                "kill_boundary = \"exclusive\"\n"));
+  EXPECT_NO_THROW(parsed_tree(equal + "[variant]\nkill_boundary = \"exclusive\"\n"));
+  EXPECT_NO_THROW(parsed_tree(equal + "[variant]\ninfluence_boundary = \"exclusive\"\n"
+                                      "kill_boundary = \"exclusive\"\n"));
 }
 
 TEST(TreeFileRoundCloud, ReachesItsPlace) {
@@ -123,9 +121,9 @@ TEST(TreeFileRoundCloud, ReachesItsPlace) {
                                     {"ring", RoundShape::ring},
                                     {"sphere_shell", RoundShape::sphere_shell}}) {
     const bool hollow = shape == RoundShape::annulus || shape == RoundShape::sphere_shell;
-    const TreeParameters read = parse("[cloud]\nshape = \"" + std::string(word) +
-                                      "\"\nradius = 3\ncentre = [1, 2, 3]\npoints = 40\n" +
-                                      (hollow ? "inner_radius = 2\n" : ""));
+    const TreeParameters read = parsed_tree("[cloud]\nshape = \"" + std::string(word) +
+                                            "\"\nradius = 3\ncentre = [1, 2, 3]\npoints = 40\n" +
+                                            (hollow ? "inner_radius = 2\n" : ""));
     ASSERT_TRUE(read.round_cloud.has_value());
     EXPECT_EQ(read.round_cloud->region.shape, shape);
     EXPECT_EQ(read.round_cloud->region.radius, 3.0);
@@ -143,8 +141,9 @@ TEST(TreeFileRoundCloud, ReachesItsPlace) {
 
 TEST(TreeFileRoundCloud, ByDefaultGrowsATree) {
   for (const char* word : {"disc", "ring", "annulus", "sphere_shell"})
-    EXPECT_GT(grow(parse("cloud.shape = \"" + std::string(word) + "\"\n")).skeleton.node_count(),
-              5u)
+    EXPECT_GT(
+        grow(parsed_tree("cloud.shape = \"" + std::string(word) + "\"\n")).skeleton.node_count(),
+        5u)
         << word;
 }
 
@@ -164,21 +163,21 @@ TEST(TreeFileRoundCloud, RefusesAHoleWhereThereIsNoneOrThatIsTooLarge) {
 
 // The circle line with the root at its centre is out of reach; the disc grows.
 TEST(TreeFileRoundCloud, OfTheRingExampleDecidesWhetherAnythingGrows) {
-  EXPECT_GT(grow(parse(disc_file)).skeleton.node_count(), 300u);
-  std::string ring = disc_file;
-  ring.replace(ring.find("disc"), 4, "ring");
-  ring.replace(ring.find("[0, 250, 0]"), 11, "[0, 0, 0]");
-  const GrowthResult result = grow(parse(ring));
+  EXPECT_GT(grow(parsed_tree(disc_file)).skeleton.node_count(), 300u);
+  std::string ring_file = disc_file;
+  ring_file.replace(ring_file.find("disc"), 4, "ring");
+  ring_file.replace(ring_file.find("[0, 250, 0]"), 11, "[0, 0, 0]");
+  const GrowthResult result = grow(parsed_tree(ring_file));
   EXPECT_EQ(result.stop_reason, StopReason::no_point_in_range);
   EXPECT_EQ(result.skeleton.node_count(), 1u);
 }
 
 TEST(TreeFileReductions, ChangeTheSkeletonOfThePlantOnly) {
-  const TreeParameters plain = parse(disc_file);
+  const TreeParameters plain = parsed_tree(disc_file);
   const Skeleton grown = grow(plain).skeleton;
   const std::string file = disc_file;
   const auto dressed = [&](const char* keys) {
-    return make_plant(grown, parse(file + "[branches]\n" + keys).plant).skeleton;
+    return make_plant(grown, parsed_tree(file + "[branches]\n" + keys).plant).skeleton;
   };
   EXPECT_EQ(tree_hash(dressed("")), tree_hash(grown));
   const Skeleton narrower = dressed("angle_reduction = 0.5\n");

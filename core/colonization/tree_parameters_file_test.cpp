@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/colonization/test_growth.hpp"
 #include "core/colonization/tree_parameter_keys.hpp"
 #include "core/contract/errors.hpp"
 #include "core/contract/text_file.hpp"
@@ -22,14 +23,10 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-TreeParameters parse(std::string_view text) {
-  return parse_tree_parameters(text, "tree.toml");
-}
-
 /// The message of the InputError that the text ends with.
 std::string complaint(std::string_view text) {
   try {
-    parse(text);
+    parsed_tree(text);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -110,7 +107,7 @@ void expect_same(const TreeParameters& a, const TreeParameters& b) {
 }
 
 TEST(TreeParametersFile, EmptyHoldsTheDefaults) {
-  const TreeParameters read = parse("");
+  const TreeParameters read = parsed_tree("");
   TreeParameters defaults;
   // Gnarliness 0.8 gives the start settings but for rounding; its author published four digits.
   EXPECT_NEAR(read.influence_distance, defaults.influence_distance, 1e-12);
@@ -126,7 +123,7 @@ TEST(TreeParametersFile, EmptyHoldsTheDefaults) {
 
 TEST(TreeParametersFile, ExampleHoldsTheDefaultsAndGivesTheSameSeedling) {
   const TreeParameters example = parse_tree_parameters(example_tree_file(), "example");
-  const TreeParameters empty = parse("");
+  const TreeParameters empty = parsed_tree("");
   expect_same(example, empty);
   const Seedling from_example = make_seedling(example);
   const Seedling from_empty = make_seedling(empty);
@@ -148,16 +145,16 @@ TEST(TreeParametersFile, ExampleShowsEveryKeyWithMeaningAndSource) {
 }
 
 TEST(TreeParametersFile, EveryDefaultMayBeWrittenOut) {
-  const TreeParameters defaults = parse("");
+  const TreeParameters defaults = parsed_tree("");
   for (const TreeParameterKey& key : tree_parameter_keys()) {
     if (key.shown_as_comment) continue;  // the three distances, which go together only
     SCOPED_TRACE(key.name);
-    expect_same(parse(file_with(key.name, key.default_text)), defaults);
+    expect_same(parsed_tree(file_with(key.name, key.default_text)), defaults);
   }
 }
 
 TEST(TreeParametersFile, EveryNumberReachesItsPlace) {
-  const TreeParameters read = parse(R"(
+  const TreeParameters read = parsed_tree(R"(
 seed = 5
 random = "counter"
 [cloud]
@@ -210,7 +207,7 @@ crown_ratio = 0.5
 }
 
 TEST(TreeParametersFile, EveryVariantReachesItsPlace) {
-  const TreeParameters read = parse(R"(
+  const TreeParameters read = parsed_tree(R"(
 [variant]
 tropism_order = "after_normalising"
 attraction_sum = "raw_vectors"
@@ -230,8 +227,8 @@ deferred_first_pass = "kill"
 }
 
 TEST(TreeParametersFile, GnarlinessSetsDistancesAndDensity) {
-  const TreeParameters read =
-      parse("[growth]\ngnarliness = 0.5\nbranch_density_begin = 0.25\nbranch_density_end = 1.0\n");
+  const TreeParameters read = parsed_tree(
+      "[growth]\ngnarliness = 0.5\nbranch_density_begin = 0.25\nbranch_density_end = 1.0\n");
   const GnarlinessCoupling coupling = couple_to_gnarliness(0.5);
   EXPECT_EQ(read.influence_distance, coupling.influence_distance);
   EXPECT_EQ(read.kill_distance.begin, coupling.kill_distance(0.25));
@@ -240,26 +237,26 @@ TEST(TreeParametersFile, GnarlinessSetsDistancesAndDensity) {
 }
 
 TEST(TreeParametersFile, DensityInTheFileBeatsThatOfGnarliness) {
-  EXPECT_EQ(parse("[cloud]\ndensity = 3.0\n[growth]\ngnarliness = 0.5\n").cloud_density, 3.0);
+  EXPECT_EQ(parsed_tree("[cloud]\ndensity = 3.0\n[growth]\ngnarliness = 0.5\n").cloud_density, 3.0);
 }
 
 TEST(TreeParametersFile, InfluenceDistanceMayBeInfinite) {
-  const TreeParameters read = parse(
+  const TreeParameters read = parsed_tree(
       "[growth]\ninfluence_distance = inf\nkill_distance_begin = 0.58\nkill_distance_end = "
       "0.265\n");
   EXPECT_EQ(read.influence_distance, std::numeric_limits<double>::infinity());
 }
 
 TEST(TreeParametersFile, KillDistanceMayEqualTheInfluenceDistance) {
-  const TreeParameters read = parse(
+  const TreeParameters read = parsed_tree(
       "[growth]\ninfluence_distance = 0.5\nkill_distance_begin = 0.5\nkill_distance_end = 0.5\n");
   EXPECT_EQ(read.kill_distance.begin, 0.5);
 }
 
 TEST(TreeParametersFile, TakesDottedKeysAndForeignLineEnds) {
-  EXPECT_EQ(parse("growth.iterations = 7\n").iterations, 7);
-  EXPECT_EQ(parse("seed = 7\r\n[cloud]\r\ndensity = 2.0\r\n").cloud_density, 2.0);
-  EXPECT_EQ(parse("seed = 7").seed, 7u);
+  EXPECT_EQ(parsed_tree("growth.iterations = 7\n").iterations, 7);
+  EXPECT_EQ(parsed_tree("seed = 7\r\n[cloud]\r\ndensity = 2.0\r\n").cloud_density, 2.0);
+  EXPECT_EQ(parsed_tree("seed = 7").seed, 7u);
 }
 
 TEST(TreeParametersFile, NumbersOfTheWrongTypeAreInputErrors) {
@@ -313,7 +310,7 @@ TEST(TreeParametersFile, LengthsAndDensitiesMustBePositive) {
 TEST(TreeParametersFile, FractionsForWholeNumbersAreInputErrors) {
   for (const char* name : {"seed", "growth.iterations"})
     expect_complaint(file_with(name, "1.5"), line_of(name), fmt::format("{} = 1.5", name));
-  EXPECT_EQ(parse("seed = 3.0\n").seed, 3u);
+  EXPECT_EQ(parsed_tree("seed = 3.0\n").seed, 3u);
 }
 
 TEST(TreeParametersFile, VectorsMustBeThreeFiniteNumbers) {
@@ -327,7 +324,7 @@ TEST(TreeParametersFile, VectorsMustBeThreeFiniteNumbers) {
     for (const char* value : {"[1.0, 0.0, 3.0]", "[-1.0, 2.0, 3.0]"})
       expect_complaint(file_with(key.name, value), line_of(key.name), key.name);
   }
-  EXPECT_NO_THROW(parse("[tropism]\ndirection = [0.0, -1.0, 0.0]\n"));
+  EXPECT_NO_THROW(parsed_tree("[tropism]\ndirection = [0.0, -1.0, 0.0]\n"));
 }
 
 TEST(TreeParametersFile, ChoicesMustBeOneOfTheirWords) {
@@ -339,7 +336,7 @@ TEST(TreeParametersFile, ChoicesMustBeOneOfTheirWords) {
     for (const std::string_view word : choice->words) {
       // Weights need a depth to divide by.
       const char* companion = word == "by_branch_depth" ? "most_branch_depth = 2\n" : "";
-      EXPECT_NO_THROW(parse(file_with(key.name, fmt::format("\"{}\"", word)) + companion))
+      EXPECT_NO_THROW(parsed_tree(file_with(key.name, fmt::format("\"{}\"", word)) + companion))
           << key.name;
       EXPECT_THAT(complaint(file_with(key.name, "\"nonsense\"")), HasSubstr(std::string(word)));
     }

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/colonization/test_growth.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 
 #include "core/contract/errors.hpp"
@@ -13,15 +14,8 @@
 namespace phytobench {
 namespace {
 
-constexpr double rounding =
+constexpr double seedling_rounding =
     1e-9;  // sums of some hundred floating-point operations on numbers near 1
-
-/// A small crown, quick to sample.
-TreeParameters small_tree() {
-  TreeParameters parameters;
-  parameters.cloud.radii = {2.0, 2.8, 1.8};
-  return parameters;
-}
 
 /// Summed length of the stem inside the crown.
 double crown_stem_length(const Seedling& seedling) {
@@ -54,24 +48,25 @@ TEST(MakeSeedling, FollowsItsParameters) {
   EXPECT_EQ(seedling.growth.iterations, 30);
   EXPECT_EQ(seedling.growth.step_length, 0.25);
   EXPECT_EQ(seedling.growth.influence_distance, 0.66);
-  EXPECT_NEAR(seedling.growth.perception_angle_rad, 160.0 * std::numbers::pi / 180.0, rounding);
+  EXPECT_NEAR(seedling.growth.perception_angle_rad, 160.0 * std::numbers::pi / 180.0,
+              seedling_rounding);
 }
 
 TEST(MakeSeedling, PutsTheCloudOnTheCrownRoot) {
   const Seedling seedling = make_seedling(small_tree());
   const Vector3 crown_root = seedling.skeleton.position(seedling.crown_root);
   const BoundingBox box = extent_of(seedling.attraction_points);
-  EXPECT_GE(box.low().y, crown_root.y - rounding);
+  EXPECT_GE(box.low().y, crown_root.y - seedling_rounding);
   EXPECT_LT(box.low().y, crown_root.y + 0.5);
-  EXPECT_GE(box.low().x, crown_root.x - 2.0 - rounding);
-  EXPECT_LE(box.high().x, crown_root.x + 2.0 + rounding);
+  EXPECT_GE(box.low().x, crown_root.x - 2.0 - seedling_rounding);
+  EXPECT_LE(box.high().x, crown_root.x + 2.0 + seedling_rounding);
 }
 
 TEST(MakeSeedling, CrownRootLooksAlongTheLastStemPiece) {
   const Seedling seedling = make_seedling(small_tree());
-  EXPECT_NEAR(norm(seedling.crown_root_direction), 1.0, rounding);
+  EXPECT_NEAR(norm(seedling.crown_root_direction), 1.0, seedling_rounding);
   const Vector3 last = seedling.skeleton.position(8) - seedling.skeleton.position(7);
-  EXPECT_NEAR(norm(last - 0.25 * seedling.crown_root_direction), 0.0, rounding);
+  EXPECT_NEAR(norm(last - 0.25 * seedling.crown_root_direction), 0.0, seedling_rounding);
 }
 
 TEST(MakeSeedling, WithoutStemStartsUpwardsAtTheRoot) {
@@ -90,7 +85,8 @@ TEST(MakeSeedling, CrownStemRunsThroughItsShareOfTheCloud) {
     const Seedling seedling = make_seedling(parameters);
     EXPECT_EQ(seedling.crown_root, 8);
     const double height = extent_of(seedling.attraction_points).extent().y;
-    EXPECT_NEAR(crown_stem_length(seedling), ratio * height, rounding) << "ratio " << ratio;
+    EXPECT_NEAR(crown_stem_length(seedling), ratio * height, seedling_rounding)
+        << "ratio " << ratio;
   }
 }
 
