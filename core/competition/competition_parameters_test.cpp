@@ -8,14 +8,14 @@
 #include <gtest/gtest.h>
 
 #include "core/contract/errors.hpp"
+#include "core/overlap/test_discs.hpp"
 
 namespace phytobench {
 namespace {
 
 using testing::HasSubstr;
 using testing::StartsWith;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using testing_discs::infinite;
 
 std::string complaint(const CompetitionParameters& parameters) {
   try {
@@ -47,7 +47,7 @@ TEST(CompetitionParameters, DefaultsAreAllowed) {
 TEST(CompetitionParameters, BordersOfTheRangesAreAllowed) {
   for (const double share : {0.0, 1.0})
     EXPECT_EQ(complaint(&CompetitionParameters::above_share, share), "none");
-  for (const double exponent : {0.0, 1.0, infinity})
+  for (const double exponent : {0.0, 1.0, infinite})
     EXPECT_EQ(complaint(&CompetitionParameters::asymmetry_exponent, exponent), "none");
   EXPECT_EQ(complaint(&CompetitionParameters::light_constant, 1e-9), "none");
   for (const double value : {1e-9, 0.999})
@@ -82,13 +82,13 @@ TEST(CompetitionParameters, WhatIsNoNumberIsAnInputError) {
   for (const auto place : {&Parameters::above_share, &Parameters::asymmetry_exponent,
                            &Parameters::light_constant, &Parameters::field_at_rim}) {
     EXPECT_THAT(complaint(place, std::nan("")), HasSubstr("is not allowed"));
-    EXPECT_THAT(complaint(place, -infinity), HasSubstr("is not allowed"));
+    EXPECT_THAT(complaint(place, -infinite), HasSubstr("is not allowed"));
     if (place != &Parameters::asymmetry_exponent)
-      EXPECT_THAT(complaint(place, infinity), HasSubstr("is not allowed"));
+      EXPECT_THAT(complaint(place, infinite), HasSubstr("is not allowed"));
   }
   for (const auto place : {&CompetitionTraits::crown_opacity, &CompetitionTraits::root_rank,
                            &CompetitionTraits::open_ground_stress})
-    for (const double value : {std::nan(""), infinity, -infinity})
+    for (const double value : {std::nan(""), infinite, -infinite})
       EXPECT_THAT(complaint(place, value), HasSubstr("is not allowed"));
 }
 

@@ -5,22 +5,16 @@
 #include <gtest/gtest.h>
 
 #include "core/competition/test_stands.hpp"
+#include "core/overlap/test_discs.hpp"
 
 namespace phytobench {
 namespace {
 
+using testing_discs::infinite;
 using testing_stands::crowded_stand;
 using testing_stands::losses;
 using testing_stands::TestStand;
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-CompetitionParameters with_exponent(double exponent, TieRule ties = TieRule::share) {
-  CompetitionParameters parameters;
-  parameters.asymmetry_exponent = exponent;
-  parameters.ties = ties;
-  return parameters;
-}
+using testing_stands::with_exponent;
 
 TEST(ExactSharesLaw, NobodyLosesMoreThanAllOrMoreThanByPairs) {
   for (const bool torus : {false, true})

@@ -8,21 +8,16 @@
 #include "core/competition/test_stands.hpp"
 #include "core/competition/zone_laws.hpp"
 #include "core/overlap/lens.hpp"
+#include "core/overlap/test_discs.hpp"
 
 namespace phytobench {
 namespace {
 
+using testing_discs::infinite;
 using testing_stands::crowded_stand;
 using testing_stands::losses;
 using testing_stands::TestStand;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-CompetitionParameters with_exponent(double exponent) {
-  CompetitionParameters parameters;
-  parameters.asymmetry_exponent = exponent;
-  return parameters;
-}
+using testing_stands::with_exponent;
 
 TestStand pair_of(double r, double s, double distance) {
   TestStand stand;
@@ -75,12 +70,12 @@ TEST(OneZoneRulesLaw, TheExponentContainsBothRules) {
       EXPECT_NEAR(by_exponent[i], by_rule[i], 1e-12) << rule << " " << i;
   };
   expect_same(0.0, "symmetric");
-  expect_same(infinity, "asymmetric");
+  expect_same(infinite, "asymmetric");
 }
 
 TEST(OneZoneRulesLaw, TheSmallerLosesMoreTheHigherTheExponent) {
   double before = 0.0;
-  for (const double exponent : {0.0, 0.5, 1.0, 2.0, 8.0, 1000.0, infinity}) {
+  for (const double exponent : {0.0, 0.5, 1.0, 2.0, 8.0, 1000.0, infinite}) {
     const std::vector<double> loss =
         losses("asymmetry_exponent", with_exponent(exponent), pair_of(1.0, 1.2, 1.0));
     EXPECT_GE(loss[0], before) << exponent;

@@ -13,6 +13,13 @@
 
 namespace phytobench::testing_stands {
 
+inline CompetitionParameters with_exponent(double exponent, TieRule ties = TieRule::share) {
+  CompetitionParameters parameters;
+  parameters.asymmetry_exponent = exponent;
+  parameters.ties = ties;
+  return parameters;
+}
+
 struct TestStand {
   std::vector<double> x, y, below, above, stem, weakening;
   std::vector<SpeciesIndex> species;

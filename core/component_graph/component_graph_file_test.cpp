@@ -61,7 +61,7 @@ ComponentGraph parse(const std::string& text) {
   return parse_component_graph(with_names(text), "p.toml");
 }
 
-std::string refusal(const std::string& text) {
+std::string file_refusal(const std::string& text) {
   try {
     parse(text);
   } catch (const InputError& error) {
@@ -144,7 +144,7 @@ TEST(ComponentGraphFile, EveryWrongValueIsRefusedWithItsPlace) {
       {"{ function = 3 }", "must be a text"},
       {"1979-05-27", "must be a number"}};
   for (const Wrong& wrong : values) {
-    const std::string message = refusal(ball(wrong.text));
+    const std::string message = file_refusal(ball(wrong.text));
     EXPECT_EQ(message.substr(0, 9), "p.toml:5:") << wrong.text << ": " << message;
     EXPECT_NE(message.find(with_names(wrong.message)), std::string::npos)
         << wrong.text << ": " << message;
@@ -201,7 +201,7 @@ TEST(ComponentGraphFile, EveryWrongStructureIsRefusedWithItsPlace) {
        "a.most_recursions = 0 is not allowed; give a number >= 1 and <= 1000, whole"},
       {"[component.a]\nkind = \"BALL\"\n\"x.y\" = 0\n[graph]\nroot = \"a\"\n", "in quotes"}};
   for (const Wrong& wrong : texts) {
-    const std::string message = refusal(wrong.text);
+    const std::string message = file_refusal(wrong.text);
     EXPECT_EQ(message.substr(0, 7), "p.toml:") << wrong.text << ": " << message;
     EXPECT_NE(message.find(with_names(wrong.message)), std::string::npos)
         << wrong.text << ": " << message;
@@ -210,7 +210,7 @@ TEST(ComponentGraphFile, EveryWrongStructureIsRefusedWithItsPlace) {
 }
 
 TEST(ComponentGraphFile, TheMessageNamesTheLine) {
-  EXPECT_EQ(refusal(two(a_to_b + "[[link]]\nfrom = \"b\"\nto = \"a\"\n")).substr(0, 9),
+  EXPECT_EQ(file_refusal(two(a_to_b + "[[link]]\nfrom = \"b\"\nto = \"a\"\n")).substr(0, 9),
             "p.toml:10");
 }
 
@@ -218,10 +218,10 @@ TEST(ComponentGraphFile, TooManyComponentsOrLinksAreRefused) {
   std::string many = "[graph]\nroot = \"c0\"\n";
   for (std::size_t i = 0; i <= most_components; ++i)
     many += fmt::format("[component.c{}]\nkind = \"simple\"\n", i);
-  EXPECT_NE(refusal(many).find("give 1 to 256"), std::string::npos) << refusal(many);
+  EXPECT_NE(file_refusal(many).find("give 1 to 256"), std::string::npos) << file_refusal(many);
   std::string links = two("");
   for (std::size_t i = 0; i <= most_links; ++i) links += a_to_b;
-  EXPECT_NE(refusal(links).find("at most 1000"), std::string::npos);
+  EXPECT_NE(file_refusal(links).find("at most 1000"), std::string::npos);
 }
 
 TEST(ComponentGraphFile, AMissingFileIsNamed) {

@@ -78,7 +78,7 @@ struct Tried {
   ComponentValues values;
 };
 
-Frame some_frame() {
+Frame parent_frame() {
   Frame frame = Frame{}.turned(Rotation::uniform(0.2, 0.4, 0.6));
   frame.origin = {1.0, 2.0, 3.0};
   frame.scale = 1.5;
@@ -135,7 +135,7 @@ TEST_P(ComponentLaw, ChildrenStandInRightFrames) {
       if (link == LinkKind::branch && !kind().carries_branches) continue;
       for (const std::size_t n : {1u, 2u, 17u}) {
         if (n > 1 && link != LinkKind::branch && !kind().is_multiplier) continue;
-        for (const Frame& frame : tried.frames(some_frame(), link, n)) {
+        for (const Frame& frame : tried.frames(parent_frame(), link, n)) {
           EXPECT_TRUE(is_finite(frame.origin)) << seed;
           EXPECT_GT(frame.scale, 0.0) << seed;
           EXPECT_NEAR(norm(frame.x), 1.0, 1e-9) << seed;
@@ -151,7 +151,7 @@ TEST_P(ComponentLaw, ChildrenStandInRightFrames) {
 TEST_P(ComponentLaw, MeshesAreWhole) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const Tried tried(seed == 0 ? make_prototype("it", kind()) : random_prototype(kind(), seed));
-    for (const MeshPart& part : tried.parts(some_frame())) {
+    for (const MeshPart& part : tried.parts(parent_frame())) {
       const TriangleMesh& mesh = part.mesh;
       ASSERT_EQ(mesh.normals.size(), mesh.vertex_count());
       ASSERT_EQ(mesh.texture_points.size(), mesh.vertex_count());
@@ -166,13 +166,13 @@ TEST_P(ComponentLaw, MeshesAreWhole) {
 /// Nothing but fields and deformations depends on where in the world an instance stands.
 TEST_P(ComponentLaw, TheSameEverywhereAndEveryTime) {
   const Tried tried(random_prototype(kind(), 5));
-  Frame shifted = some_frame();
+  Frame shifted = parent_frame();
   shifted.origin = {-70.0, 30.0, 11.0};
-  const auto here = tried.parts(some_frame()), there = tried.parts(shifted);
+  const auto here = tried.parts(parent_frame()), there = tried.parts(shifted);
   ASSERT_EQ(here.size(), there.size());
   for (std::size_t i = 0; i < here.size(); ++i)
     EXPECT_EQ(here[i].mesh.positions, there[i].mesh.positions);
-  EXPECT_EQ(tried.frames(some_frame(), LinkKind::child, kind().is_multiplier ? 5 : 1),
+  EXPECT_EQ(tried.frames(parent_frame(), LinkKind::child, kind().is_multiplier ? 5 : 1),
             tried.frames(shifted, LinkKind::child, kind().is_multiplier ? 5 : 1));
 }
 

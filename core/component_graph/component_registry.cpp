@@ -21,7 +21,7 @@ namespace components {
 
 namespace {
 
-constexpr auto table = std::to_array<const ComponentKind*>({
+constexpr auto component_table = std::to_array<const ComponentKind*>({
 #define COMPONENT(name, dependency) &components::name,
 #include "core/component_graph/components.def"
 #include PHYTOBENCH_EXTRA_COMPONENTS
@@ -31,7 +31,7 @@ constexpr auto table = std::to_array<const ComponentKind*>({
 }  // namespace
 
 std::span<const ComponentKind* const> all_component_kinds() {
-  return table;
+  return component_table;
 }
 
 std::string known_component_kind_names() {

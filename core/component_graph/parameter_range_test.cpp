@@ -151,7 +151,7 @@ TEST(ParameterRange, WhatAFunctionGivesIsHeldAgainstTheRange) {
   }
 }
 
-std::string refusal(const std::string& text) {
+std::string function_refusal(const std::string& text) {
   try {
     parse_parameter_function(text, "w.toml:3: a.b");
   } catch (const InputError& error) {
@@ -161,21 +161,22 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(ParameterFunction, WrongOnesAreRefusedWithTheColumn) {
-  EXPECT_EQ(refusal("value * 2"), "accepted");
-  EXPECT_EQ(refusal("valu * 2"),
+  EXPECT_EQ(function_refusal("value * 2"), "accepted");
+  EXPECT_EQ(function_refusal("valu * 2"),
             "w.toml:3: a.b: in its function at column 1: unknown name 'valu'; did you mean "
             "'value'?; known: value, i, n, depth, t");
-  EXPECT_NE(refusal("2 * x").find("column 5: unknown name 'x'"), std::string::npos);
-  EXPECT_NE(refusal("value )").find("column 7"), std::string::npos);
-  EXPECT_NE(refusal("").find("is empty"), std::string::npos);
-  EXPECT_NE(refusal("  ").find("is empty"), std::string::npos);
-  EXPECT_NE(refusal("value * \xc3\xa4").find("has no place"), std::string::npos);
-  EXPECT_NE(refusal("value\n+ 1").find("has no place"), std::string::npos);
-  EXPECT_NE(refusal(std::string(3000, '1')).find("longer than"), std::string::npos);
+  EXPECT_NE(function_refusal("2 * x").find("column 5: unknown name 'x'"), std::string::npos);
+  EXPECT_NE(function_refusal("value )").find("column 7"), std::string::npos);
+  EXPECT_NE(function_refusal("").find("is empty"), std::string::npos);
+  EXPECT_NE(function_refusal("  ").find("is empty"), std::string::npos);
+  EXPECT_NE(function_refusal("value * \xc3\xa4").find("has no place"), std::string::npos);
+  EXPECT_NE(function_refusal("value\n+ 1").find("has no place"), std::string::npos);
+  EXPECT_NE(function_refusal(std::string(3000, '1')).find("longer than"), std::string::npos);
   for (const std::string text : {"value *", "sin(1, 2)", "(value", "random(1)", "1 / 0", "sin",
                                  "frobnicate(value)", "1 2", "value value"})
-    EXPECT_NE(refusal(text).find("w.toml:3: a.b: in its function at column"), std::string::npos)
-        << text << ": " << refusal(text);
+    EXPECT_NE(function_refusal(text).find("w.toml:3: a.b: in its function at column"),
+              std::string::npos)
+        << text << ": " << function_refusal(text);
 }
 
 TEST(VectorFieldTest, SeesThePlaceAndTheTime) {

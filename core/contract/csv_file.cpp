@@ -148,7 +148,7 @@ class ColumnReader {
   std::size_t rows_ = 0;
 };
 
-constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 30;
+constexpr std::uintmax_t most_csv_bytes = std::uintmax_t{4} << 30;
 
 CsvTable parse(std::string_view text, std::string_view name,
                const std::vector<std::string>& numbers, const std::vector<std::string>& words) {
@@ -170,7 +170,7 @@ std::vector<std::vector<double>> parse_number_columns(std::string_view text, std
 
 CsvTable read_table(const std::filesystem::path& file, const std::vector<std::string>& numbers,
                     const std::vector<std::string>& words) {
-  return parse(read_text_file(file, most_bytes), file.string(), numbers, words);
+  return parse(read_text_file(file, most_csv_bytes), file.string(), numbers, words);
 }
 
 std::vector<std::vector<double>> read_number_columns(const std::filesystem::path& file,
@@ -179,7 +179,7 @@ std::vector<std::vector<double>> read_number_columns(const std::filesystem::path
 }
 
 bool has_column(const std::filesystem::path& file, std::string_view column) {
-  const std::string content = read_text_file(file, most_bytes);
+  const std::string content = read_text_file(file, most_csv_bytes);
   std::string_view text = without_mark(content);
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
@@ -193,7 +193,7 @@ bool has_column(const std::filesystem::path& file, std::string_view column) {
 }
 
 std::string place_of_row(const std::filesystem::path& file, std::size_t row) {
-  const std::string content = read_text_file(file, most_bytes);
+  const std::string content = read_text_file(file, most_csv_bytes);
   std::string_view text = without_mark(content);
   // The header is the first line that counts.
   for (std::size_t line = 1, lines_to_go = row + 2; !text.empty(); ++line) {

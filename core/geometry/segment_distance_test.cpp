@@ -9,14 +9,14 @@
 namespace phytobench {
 namespace {
 
-Vector3 random_point(UnitStream& stream) {
+Vector3 random_end(UnitStream& stream) {
   const double x = stream.next_between(-1.0, 1.0), y = stream.next_between(-1.0, 1.0);
   return {x, y, stream.next_between(-1.0, 1.0)};
 }
 
 Segment random_segment(UnitStream& stream) {
-  const Vector3 from = random_point(stream);
-  return {from, random_point(stream)};
+  const Vector3 from = random_end(stream);
+  return {from, random_end(stream)};
 }
 
 /// The least distance between places in steps of one hundredth of either length.

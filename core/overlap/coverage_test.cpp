@@ -11,27 +11,19 @@
 
 #include "core/overlap/lens.hpp"
 #include "core/overlap/overlap_registry.hpp"
+#include "core/overlap/test_discs.hpp"
 #include "core/random/counter_stream.hpp"
 
 namespace phytobench {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using testing_discs::pi;
 
-struct Scene {
-  std::vector<double> x, y, radius;
-  Ground ground;
+struct WindowedScene : testing_discs::Scene {
   std::optional<Rectangle> window;
-
-  void add(double px, double py, double r) {
-    x.push_back(px);
-    y.push_back(py);
-    radius.push_back(r);
-  }
-  Discs discs() const { return {x, y, radius}; }
 };
 
-Coverage coverage_of(const Scene& scene, int threads = 1) {
+Coverage coverage_of(const WindowedScene& scene, int threads = 1) {
   return coverage(scene.discs(), scene.ground, scene.window, threads);
 }
 
@@ -130,7 +122,7 @@ class StripOracle {
 };
 
 /// On a torus with all images; only the discs themselves are asked for `covered`.
-Coverage by_strips(const Scene& scene) {
+Coverage by_strips(const WindowedScene& scene) {
   std::vector<std::array<double, 3>> all;
   const Discs d = scene.discs();
   for (std::size_t i = 0; i < d.size(); ++i) all.push_back({d.x[i], d.y[i], d.radius[i]});
@@ -161,8 +153,8 @@ void expect_equal(const Coverage& found, const Coverage& expected, double area) 
     EXPECT_NEAR(found.covered[i], expected.covered[i], 1e-12 * area) << "disc " << i;
 }
 
-Scene random_scene(std::uint64_t seed, std::size_t count, double largest) {
-  Scene scene;
+WindowedScene random_scene(std::uint64_t seed, std::size_t count, double largest) {
+  WindowedScene scene;
   CounterStream stream(seed, 0);
   for (std::size_t i = 0; i < count; ++i) {
     const double x = 10 * stream.next_unit(), y = 8 * stream.next_unit();
@@ -174,7 +166,7 @@ Scene random_scene(std::uint64_t seed, std::size_t count, double largest) {
 TEST(CoverageOracle, IsThatOfStrips) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
-    Scene scene = random_scene(seed, 1 + seed % 17, seed % 3 == 0 ? 0.8 : 2.5);
+    WindowedScene scene = random_scene(seed, 1 + seed % 17, seed % 3 == 0 ? 0.8 : 2.5);
     expect_equal(coverage_of(scene), by_strips(scene), 80.0);
     scene.window = Rectangle{{1, 0.5}, {9, 7}};
     expect_equal(coverage_of(scene), by_strips(scene), 80.0);
@@ -184,26 +176,26 @@ TEST(CoverageOracle, IsThatOfStrips) {
 TEST(CoverageOracle, IsThatOfStripsOnATorus) {
   for (std::uint64_t seed = 100; seed < 130; ++seed) {
     SCOPED_TRACE(seed);
-    Scene scene = random_scene(seed, 1 + seed % 13, seed % 2 == 0 ? 0.7 : 3.5);
+    WindowedScene scene = random_scene(seed, 1 + seed % 13, seed % 2 == 0 ? 0.7 : 3.5);
     scene.ground.torus = Rectangle{{0, 0}, {10, 8}};
     expect_equal(coverage_of(scene), by_strips(scene), 80.0);
   }
 }
 
 TEST(CoverageOracle, FollowsTouchingContainedAndEqualDiscs) {
-  Scene lattice;
+  WindowedScene lattice;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 3; ++j) lattice.add(i, j, 0.5);
   expect_equal(coverage_of(lattice), by_strips(lattice), 10.0);
 
-  Scene nested;
+  WindowedScene nested;
   for (const double r : {3.0, 2.0, 1.0}) nested.add(r, 0, r);  // all touch from inside at 0
   EXPECT_THAT(
       coverage_of(nested).by_times,
       testing::ElementsAre(0.0, testing::DoubleNear(5 * pi, 1e-12),
                            testing::DoubleNear(3 * pi, 1e-12), testing::DoubleNear(pi, 1e-12)));
 
-  Scene equal;
+  WindowedScene equal;
   for (int i = 0; i < 5; ++i) equal.add(1, 2, 3);
   const Coverage c = coverage_of(equal);
   ASSERT_EQ(c.by_times.size(), 6u);
@@ -211,14 +203,14 @@ TEST(CoverageOracle, FollowsTouchingContainedAndEqualDiscs) {
   for (int k = 1; k < 5; ++k) EXPECT_NEAR(c.by_times[static_cast<std::size_t>(k)], 0.0, 1e-12);
   for (const double covered : c.covered) EXPECT_NEAR(covered, 9 * pi, 1e-12);
 
-  Scene through_one_point;  // six circles of one radius with their centers around a point
+  WindowedScene through_one_point;  // six circles of one radius with their centers around a point
   for (int i = 0; i < 6; ++i)
     through_one_point.add(std::cos(i * pi / 3), std::sin(i * pi / 3), 1.0);
   expect_equal(coverage_of(through_one_point), by_strips(through_one_point), 10.0);
 }
 
 TEST(Coverage, OfTwoIsTheirLens) {
-  Scene scene;
+  WindowedScene scene;
   scene.add(0, 0, 1);
   scene.add(1, 0, std::numbers::sqrt2);
   const Coverage c = coverage_of(scene);
@@ -230,7 +222,7 @@ TEST(Coverage, OfTwoIsTheirLens) {
 }
 
 TEST(Coverage, PairsMayAddUpToMoreThanTheDisc) {
-  Scene scene;
+  WindowedScene scene;
   scene.add(0, 0, 1);
   for (int i = 0; i < 3; ++i) scene.add(0.01 * i, 0.0, 5.0);
   const Coverage c = coverage_of(scene);
@@ -239,7 +231,7 @@ TEST(Coverage, PairsMayAddUpToMoreThanTheDisc) {
 }
 
 TEST(Coverage, OfNothingIsTheBareWindow) {
-  Scene scene;
+  WindowedScene scene;
   EXPECT_THAT(coverage_of(scene).by_times, testing::ElementsAre(0.0));
   scene.window = Rectangle{{0, 0}, {3, 2}};
   EXPECT_THAT(coverage_of(scene).by_times, testing::ElementsAre(6.0));
@@ -261,7 +253,7 @@ double weighted_sum(const Coverage& c) {
 
 TEST(CoverageLaw, TimesWeightedAreasAddUpToAllDiscs) {
   for (const bool is_torus : {false, true}) {
-    Scene scene;
+    WindowedScene scene;
     if (is_torus) scene.ground.torus = Rectangle{{0, 0}, {100, 100}};
     double discs = 0.0;
     for (std::size_t i = 0; i < 3000; ++i) {
@@ -277,9 +269,9 @@ TEST(CoverageLaw, TimesWeightedAreasAddUpToAllDiscs) {
 }
 
 TEST(CoverageLaw, DoesNotDependOnOrderPlaceScaleOrThreads) {
-  const Scene scene = random_scene(7, 60, 1.2);
+  const WindowedScene scene = random_scene(7, 60, 1.2);
   const Coverage first = coverage_of(scene);
-  Scene moved;
+  WindowedScene moved;
   for (std::size_t i = scene.x.size(); i-- > 0;)
     moved.add(8 * scene.x[i] + 4096, 8 * scene.y[i] - 512, 8 * scene.radius[i]);
   Coverage back = coverage_of(moved);
@@ -288,7 +280,7 @@ TEST(CoverageLaw, DoesNotDependOnOrderPlaceScaleOrThreads) {
   for (double& area : back.by_times) area /= 64;
   expect_equal(back, first, 80.0);
 
-  Scene many;
+  WindowedScene many;
   for (std::size_t i = 0; i < 9000; ++i)
     many.add(100 * random_unit(5, 0, i), 100 * random_unit(5, 1, i), 1.0 + random_unit(5, 2, i));
   const Coverage one = coverage_of(many);
@@ -301,7 +293,7 @@ TEST(CoverageLaw, DoesNotDependOnOrderPlaceScaleOrThreads) {
 
 /// Without a third disc, a disc is covered by the sum of its pairs.
 TEST(CoverageLaw, WithoutTriplesItIsTheSumOfPairs) {
-  Scene chain;
+  WindowedScene chain;
   for (int i = 0; i < 30; ++i) chain.add(1.5 * i, 0, 1.0);
   const Coverage c = coverage_of(chain);
   const double lens = lens_area(1, 1, 1.5);
@@ -318,7 +310,7 @@ TEST(CoverageLaw, BareShareOfRandomDiscsIsTheProduct) {
   for (std::size_t i = 0; i < count; ++i) expected *= 1 - pi * radius(i) * radius(i);
   double sum = 0.0, squares = 0.0;
   for (int run = 0; run < runs; ++run) {
-    Scene scene;
+    WindowedScene scene;
     scene.ground.torus = Rectangle{{0, 0}, {1, 1}};
     CounterStream stream(11, static_cast<std::uint64_t>(run));
     for (std::size_t i = 0; i < count; ++i) {
@@ -335,7 +327,7 @@ TEST(CoverageLaw, BareShareOfRandomDiscsIsTheProduct) {
 }
 
 TEST(Coverage, OfATinyDiscAmongHugeOnesKeepsItsDigits) {
-  Scene scene;
+  WindowedScene scene;
   scene.add(1000, 0, 1000);     // its left end at 0
   scene.add(0, 0, 1e-3);        // half covered by it
   scene.add(5000, 3000, 2000);  // far

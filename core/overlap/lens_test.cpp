@@ -8,14 +8,17 @@
 
 #include <gtest/gtest.h>
 
+#include "core/overlap/test_discs.hpp"
 #include "core/parallel/vector_targets.hpp"
 #include "core/random/counter_stream.hpp"
 
 namespace phytobench {
 namespace {
 
+using testing_discs::pi;
+
 TEST(LensArea, HasTheKnownValues) {
-  const double pi = std::numbers::pi, root3 = std::numbers::sqrt3, root2 = std::numbers::sqrt2;
+  const double root3 = std::numbers::sqrt3, root2 = std::numbers::sqrt2;
   EXPECT_NEAR(lens_area(1, 1, 1), 2 * pi / 3 - root3 / 2, 1e-15);
   EXPECT_NEAR(lens_area(1, 1, root2), pi / 2 - 1, 1e-15);
   EXPECT_NEAR(lens_area(1, root2, 1), pi - 1, 1e-15);  // neither of the printed slips survives this
@@ -24,7 +27,6 @@ TEST(LensArea, HasTheKnownValues) {
 }
 
 TEST(LensArea, EndsWhereCirclesTouch) {
-  const double pi = std::numbers::pi;
   EXPECT_EQ(lens_area(1, 2, 3), 0.0);
   EXPECT_EQ(lens_area(1, 2, 4), 0.0);
   EXPECT_GT(lens_area(1, 2, std::nextafter(3.0, 0.0)), 0.0);

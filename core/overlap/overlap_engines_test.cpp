@@ -12,6 +12,7 @@
 #include "core/contract/errors.hpp"
 #include "core/overlap/lens.hpp"
 #include "core/overlap/overlap_registry.hpp"
+#include "core/overlap/test_discs.hpp"
 #include "core/parallel/vector_targets.hpp"
 #include "core/random/counter_stream.hpp"
 #include "core/statistics/running_moments.hpp"
@@ -30,20 +31,12 @@ std::ostream& operator<<(std::ostream& out, const Pair& pair) {
   return out << pair.first << '-' << pair.second << ": " << pair.area;
 }
 
-struct Scene {
+struct NamedScene : testing_discs::Scene {
+  explicit NamedScene(std::string called) : name(std::move(called)) {}
   std::string name;
-  std::vector<double> x, y, radius;
-  Ground ground;
-
-  void add(double px, double py, double r) {
-    x.push_back(px);
-    y.push_back(py);
-    radius.push_back(r);
-  }
-  Discs discs() const { return {x, y, radius}; }
 };
 
-std::vector<Pair> by_definition(const Scene& scene) {
+std::vector<Pair> by_definition(const NamedScene& scene) {
   const Discs discs = scene.discs();
   std::vector<Pair> pairs;
   const int reach = scene.ground.torus ? 1 : 0;
@@ -69,7 +62,7 @@ std::vector<Pair> by_definition(const Scene& scene) {
   return pairs;
 }
 
-std::vector<Pair> found_by(OverlapEngine& engine, const Scene& scene, int threads = 1) {
+std::vector<Pair> found_by(OverlapEngine& engine, const NamedScene& scene, int threads = 1) {
   OverlapPairs found;
   engine.find(scene.discs(), scene.ground, {.threads = threads}, found);
   found.sort_and_merge(scene.discs().size());
@@ -80,9 +73,9 @@ std::vector<Pair> found_by(OverlapEngine& engine, const Scene& scene, int thread
 }
 
 /// Radii between 1 and `ratio`, evenly in their logarithm, about ten partners each.
-Scene random_scene(std::string name, std::size_t count, double ratio, bool is_torus,
-                   std::uint64_t seed) {
-  Scene scene{std::move(name)};
+NamedScene random_scene(std::string name, std::size_t count, double ratio, bool is_torus,
+                        std::uint64_t seed) {
+  NamedScene scene{std::move(name)};
   double side = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     const double r = std::pow(ratio, random_unit(seed, 2, i));
@@ -98,15 +91,15 @@ Scene random_scene(std::string name, std::size_t count, double ratio, bool is_to
   return scene;
 }
 
-Scene lattice(std::string name, double radius, bool is_torus) {
-  Scene scene{std::move(name)};
+NamedScene lattice(std::string name, double radius, bool is_torus) {
+  NamedScene scene{std::move(name)};
   for (int row = 0; row < 12; ++row)
     for (int column = 0; column < 12; ++column) scene.add(column, row, radius);
   if (is_torus) scene.ground.torus = Rectangle{{0, 0}, {12, 12}};
   return scene;
 }
 
-Scene scaled(Scene scene, std::string name, double factor) {
+NamedScene scaled(NamedScene scene, std::string name, double factor) {
   scene.name = std::move(name);
   for (std::vector<double>* values : {&scene.x, &scene.y, &scene.radius})
     for (double& value : *values) value *= factor;
@@ -117,20 +110,20 @@ Scene scaled(Scene scene, std::string name, double factor) {
   return scene;
 }
 
-Scene tree_in_a_meadow() {
-  Scene scene = random_scene("one tree among grasses", 600, 1.0, false, 8);
+NamedScene tree_in_a_meadow() {
+  NamedScene scene = random_scene("one tree among grasses", 600, 1.0, false, 8);
   scene.add(20, 30, 35);
   return scene;
 }
 
-Scene all_at_one_place() {
-  Scene scene{"all at one place"};
+NamedScene all_at_one_place() {
+  NamedScene scene{"all at one place"};
   for (int i = 0; i < 60; ++i) scene.add(3.25, -2, 1.0 + i % 3);
   return scene;
 }
 
-Scene line(std::string name, double dx, double dy) {
-  Scene scene{std::move(name)};
+NamedScene line(std::string name, double dx, double dy) {
+  NamedScene scene{std::move(name)};
   for (int i = 0; i < 200; ++i) {
     const double at = 40.0 * random_unit(4, 0, static_cast<std::uint64_t>(i));
     scene.add(dx * at, dy * at, 0.5 + random_unit(4, 1, static_cast<std::uint64_t>(i)));
@@ -139,8 +132,8 @@ Scene line(std::string name, double dx, double dy) {
 }
 
 /// Discs that meet several images of each other, and cells that go round to themselves.
-Scene crowded_torus(std::size_t count) {
-  Scene scene{"few large discs on a torus: " + std::to_string(count)};
+NamedScene crowded_torus(std::size_t count) {
+  NamedScene scene{"few large discs on a torus: " + std::to_string(count)};
   scene.ground.torus = Rectangle{{0, 0}, {10, 12}};
   for (std::size_t i = 0; i < count; ++i)
     scene.add(10 * random_unit(5, 0, i), 12 * random_unit(5, 1, i),
@@ -148,14 +141,14 @@ Scene crowded_torus(std::size_t count) {
   return scene;
 }
 
-Scene some_without_radius() {
-  Scene scene = random_scene("some of radius 0", 200, 3.0, false, 9);
+NamedScene some_without_radius() {
+  NamedScene scene = random_scene("some of radius 0", 200, 3.0, false, 9);
   for (std::size_t i = 0; i < scene.radius.size(); i += 3) scene.radius[i] = 0.0;
   return scene;
 }
 
-Scene on_the_border() {
-  Scene scene{"on the border of a torus"};
+NamedScene on_the_border() {
+  NamedScene scene{"on the border of a torus"};
   scene.ground.torus = Rectangle{{-1, -1}, {9, 9}};
   for (int i = 0; i <= 10; ++i) {
     scene.add(-1, i - 1, 0.75);
@@ -166,8 +159,8 @@ Scene on_the_border() {
 }
 
 /// Diameters all but fill the period, sizes on both sides of a power of two, centers on the border.
-Scene full_torus() {
-  Scene scene{"nearly full torus"};
+NamedScene full_torus() {
+  NamedScene scene{"nearly full torus"};
   const double side = 2.0000002;
   scene.ground.torus = Rectangle{{0, 0}, {side, side}};
   for (int i = 0; i < 40; ++i)
@@ -176,8 +169,8 @@ Scene full_torus() {
 }
 
 /// No height to speak of, and discs many times as large.
-Scene flat(std::string name, double height, bool along_x) {
-  Scene scene{std::move(name)};
+NamedScene flat(std::string name, double height, bool along_x) {
+  NamedScene scene{std::move(name)};
   for (std::size_t i = 0; i < 150; ++i) {
     const double along = 300 * random_unit(6, 0, i), across = i % 2 == 0 ? 0.0 : height;
     scene.add(along_x ? along : across, along_x ? across : along, i % 30 == 0 ? 120.0 : 0.4);
@@ -186,8 +179,8 @@ Scene flat(std::string name, double height, bool along_x) {
 }
 
 /// Hundreds of discs in one cell of any grid that is not larger than they are many.
-Scene lump(std::string name, bool is_torus) {
-  Scene scene{std::move(name)};
+NamedScene lump(std::string name, bool is_torus) {
+  NamedScene scene{std::move(name)};
   for (std::size_t i = 0; i < 600; ++i)
     scene.add(random_unit(7, 0, i), random_unit(7, 1, i), 0.02 * random_unit(7, 2, i));
   scene.add(1e5, 1e5, 0.01);
@@ -196,22 +189,23 @@ Scene lump(std::string name, bool is_torus) {
   return scene;
 }
 
-Scene two(std::string name, double distance) {
-  Scene scene{std::move(name)};
+NamedScene two(std::string name, double distance) {
+  NamedScene scene{std::move(name)};
   scene.add(0, 0, 1);
   scene.add(distance, 0, 2);
   return scene;
 }
 
-Scene none(std::string name, int discs) {
-  Scene scene{std::move(name)};
+NamedScene none(std::string name, int discs) {
+  NamedScene scene{std::move(name)};
   for (int i = 0; i < discs; ++i) scene.add(i, 0, 0.25);
   return scene;
 }
 
-std::vector<Scene> scenes() {
-  const Scene mixed = random_scene("sizes from 1 to 1000", 500, 1000.0, false, 3);
-  const Scene mixed_torus = random_scene("sizes from 1 to 100 on a torus", 400, 100.0, true, 4);
+std::vector<NamedScene> scenes() {
+  const NamedScene mixed = random_scene("sizes from 1 to 1000", 500, 1000.0, false, 3);
+  const NamedScene mixed_torus =
+      random_scene("sizes from 1 to 100 on a torus", 400, 100.0, true, 4);
   return {random_scene("equal sizes", 700, 1.0, false, 1),
           random_scene("equal sizes on a torus", 700, 1.0, true, 1),
           random_scene("sizes from 1 to 3", 500, 3.0, false, 2),
@@ -250,7 +244,7 @@ class OverlapEnginesOracle : public testing::TestWithParam<const OverlapEngineDe
 TEST_P(OverlapEnginesOracle, FindEveryPairAndItsArea) {
   if (!GetParam()->built()) GTEST_SKIP() << GetParam()->missing_package << " was not found";
   const auto engine = GetParam()->create();  // one for all: nothing may be left from scene to scene
-  for (const Scene& scene : scenes()) {
+  for (const NamedScene& scene : scenes()) {
     ASSERT_EQ(problem_with(scene.discs(), scene.ground), std::nullopt) << scene.name;
     EXPECT_EQ(found_by(*engine, scene), by_definition(scene)) << scene.name;
   }
@@ -259,9 +253,9 @@ TEST_P(OverlapEnginesOracle, FindEveryPairAndItsArea) {
 TEST_P(OverlapEnginesOracle, PiecesAreTheWholeInItsOrder) {
   if (!GetParam()->built()) GTEST_SKIP() << "needs " << GetParam()->missing_package;
   const auto engine = GetParam()->create();
-  std::vector<Scene> all = scenes();
+  std::vector<NamedScene> all = scenes();
   all.push_back(random_scene("many jobs", 60'000, 3.0, true, 12));
-  for (const Scene& scene : all) {
+  for (const NamedScene& scene : all) {
     if (scene.x.size() > 5'000 && GetParam()->name == "all_pairs") continue;
     OverlapPairs whole, scratch, joined;
     engine->find(scene.discs(), scene.ground, {}, whole);
@@ -279,7 +273,7 @@ TEST_P(OverlapEnginesOracle, PiecesAreTheWholeInItsOrder) {
 
 TEST_P(OverlapEnginesOracle, GivesUpBeyondTheMostPairs) {
   if (!GetParam()->built()) GTEST_SKIP() << GetParam()->missing_package << " was not found";
-  const Scene scene = all_at_one_place();
+  const NamedScene scene = all_at_one_place();
   OverlapPairs pairs;
   const std::size_t all = 60 * 59 / 2;
   EXPECT_NO_THROW(
@@ -300,15 +294,15 @@ INSTANTIATE_TEST_SUITE_P(All, OverlapEnginesOracle,
 
 TEST(OverlapEnginesOracle, ScenesHaveSomethingToFind) {
   std::size_t with_pairs = 0;
-  for (const Scene& scene : scenes()) with_pairs += !by_definition(scene).empty();
+  for (const NamedScene& scene : scenes()) with_pairs += !by_definition(scene).empty();
   EXPECT_GE(with_pairs, 19u);
 }
 
 TEST(LayeredGridOracle, EveryVectorTargetAndNumberOfThreadsGivesTheSamePairs) {
   const OverlapEngineDescriptor& engine = overlap_engine_named("layered_grid");
-  std::vector<Scene> all = scenes();
+  std::vector<NamedScene> all = scenes();
   all.push_back(random_scene("many", 20'000, 50.0, true, 6));  // more than one job
-  for (const Scene& scene : all) {
+  for (const NamedScene& scene : all) {
     OverlapPairs first;
     engine.create()->find(scene.discs(), scene.ground, {}, first);
     for (const std::int64_t target : vector_targets()) {
@@ -326,14 +320,14 @@ TEST(LayeredGridOracle, EveryVectorTargetAndNumberOfThreadsGivesTheSamePairs) {
 }
 
 TEST(LayeredGridLaw, ALargeDiscDoesNotMakeTheOthersLookFurther) {
-  const auto candidates = [](const Scene& scene, const char* engine) {
+  const auto candidates = [](const NamedScene& scene, const char* engine) {
     OverlapPairs pairs;
     return overlap_engine_named(engine)
         .create()
         ->find(scene.discs(), scene.ground, {}, pairs)
         .candidates;
   };
-  Scene scene = random_scene("grasses", 20'000, 1.0, false, 7);
+  NamedScene scene = random_scene("grasses", 20'000, 1.0, false, 7);
   const std::uint64_t grasses = candidates(scene, "layered_grid");
   const std::uint64_t in_one_grid = candidates(scene, "cell_grid");
   scene.add(100, 100, 100);
@@ -347,7 +341,7 @@ TEST(LayeredGridLaw, PairsOnATorusAddUpToTheProductOfAreas) {
   RunningMoments ratio;
   const auto engine = overlap_engine_named("layered_grid").create();
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const Scene scene = random_scene("", 400, 4.0, true, 100 + seed);
+    const NamedScene scene = random_scene("", 400, 4.0, true, 100 + seed);
     double found = 0.0, areas = 0.0, squares = 0.0;
     for (const Pair& pair : found_by(*engine, scene)) found += pair.area;
     for (const double r : scene.radius) {
@@ -363,7 +357,7 @@ TEST(LayeredGridLaw, PairsOnATorusAddUpToTheProductOfAreas) {
 
 /// One center far away makes the cells of a grid too wide for all others.
 TEST(LayeredGridLaw, ALumpInEmptySpaceIsNotComparedWithAllOfItself) {
-  Scene scene{"lump"};
+  NamedScene scene{"lump"};
   for (std::size_t i = 0; i < 20'000; ++i)
     scene.add(random_unit(8, 0, i), random_unit(8, 1, i), 0.005);
   scene.add(1e5, 1e5, 0.005);
