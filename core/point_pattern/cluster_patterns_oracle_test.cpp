@@ -5,14 +5,14 @@
 
 #include "core/point_pattern/cluster_patterns.hpp"
 #include "core/point_pattern/random_patterns.hpp"
+#include "core/point_pattern/test_patterns.hpp"
 #include "core/random/counter_stream.hpp"
 
 namespace phytobench {
 namespace {
 
-constexpr double standard_errors = 4.5;  // seeds are fixed: no test fails by chance later on
-
-const Window unit_torus = Window::torus({{0, 0}, {1, 1}});
+using test_patterns::standard_errors;
+using test_patterns::unit_torus;
 
 /// [Alsweis] eq. 2.8 without i = j: mean distance from random places to the nearest point over that
 /// from point to point.

@@ -10,21 +10,18 @@
 #include <gtest/gtest.h>
 
 #include "core/contract/errors.hpp"
+#include "core/point_pattern/test_patterns.hpp"
 #include "core/random/counter_stream.hpp"
 #include "core/statistics/chi_square.hpp"
 
 namespace phytobench {
 namespace {
 
-constexpr double standard_errors = 4.5;  // seeds are fixed: no test fails by chance later on
-constexpr double least_p = 1e-4;         // of a chi-square test: about four standard errors
-
-const Window unit_torus = Window::torus({{0, 0}, {1, 1}});
-const Window unit_plot = Window::rectangle({{0, 0}, {1, 1}});
-
-Window ell() {
-  return Window::polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
-}
+using test_patterns::l_shape;
+using test_patterns::least_p;
+using test_patterns::standard_errors;
+using test_patterns::unit_plot;
+using test_patterns::unit_torus;
 
 constexpr ClusterNumbers fixed_numbers(double parents, double offspring) {
   return {.parents = parents,
@@ -157,7 +154,7 @@ void expect_no_thinning(const Window& window,
 }
 
 TEST(ThomasPointsLaw, AreNotThinnerAlongTheEdges) {
-  for (const Window& window : {unit_plot, ell(), unit_torus})
+  for (const Window& window : {unit_plot, l_shape(), unit_torus})
     for (const NumberLaw law : {NumberLaw::poisson, NumberLaw::fixed}) {
       const ThomasOptions options{.numbers = {.parents = 10, .parents_law = law, .offspring = 4},
                                   .sigma = 0.1};
@@ -171,7 +168,7 @@ TEST(MaternPointsLaw, AreNotThinnerAlongTheEdges) {
   // A single parent of fixed number: 1.44 in the widened plot, which must not stay 1.
   const MaternOptions many{.numbers = {.parents = 10, .offspring = 4}, .radius = 0.2};
   const MaternOptions one{.numbers = fixed_numbers(1, 40), .radius = 0.1};
-  for (const Window& window : {unit_plot, ell(), unit_torus})
+  for (const Window& window : {unit_plot, l_shape(), unit_torus})
     for (const MaternOptions& options : {many, one})
       expect_no_thinning(
           window, [&](std::uint64_t seed) { return matern(window, options, seed); },

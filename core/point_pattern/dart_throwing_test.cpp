@@ -9,16 +9,16 @@
 #include <gtest/gtest.h>
 
 #include "core/contract/errors.hpp"
+#include "core/point_pattern/test_patterns.hpp"
 #include "core/random/counter_stream.hpp"
 #include "core/statistics/chi_square.hpp"
 
 namespace phytobench {
 namespace {
 
-constexpr double standard_errors = 4.5;  // seeds are fixed: no test fails by chance later on
-constexpr double least_p = 1e-4;         // of a chi-square test: about four standard errors
-
-const Window unit_torus = Window::torus({{0, 0}, {1, 1}});
+using test_patterns::least_p;
+using test_patterns::standard_errors;
+using test_patterns::unit_torus;
 
 /// Windows of area 1 or a little more: with and without edges, low, bent, away from the origin.
 const std::vector<Window>& windows() {

@@ -9,12 +9,11 @@
 #include "core/contract/check.hpp"
 #include "core/point_pattern/edge_distance.hpp"
 #include "core/point_pattern/nearest_distances.hpp"
+#include "core/point_pattern/special_values.hpp"
 
 namespace phytobench {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 void expect_increasing(std::span<const double> distances) {
   for (std::size_t k = 0; k < distances.size(); ++k)
@@ -37,7 +36,7 @@ std::vector<double> reduced_sample(std::span<const double> measured, std::span<c
   std::int64_t all = 0, yes = 0;
   for (std::size_t k = 0; k < asked.size(); ++k) {
     all += places[k], yes += near[k];
-    shares.push_back(all > 0 ? static_cast<double>(yes) / static_cast<double>(all) : unknown);
+    shares.push_back(all > 0 ? static_cast<double>(yes) / static_cast<double>(all) : unknown_value);
   }
   return shares;
 }
@@ -66,7 +65,7 @@ std::vector<double> kaplan_meier(std::span<const double> measured, std::span<con
       surviving *= 1.0 - static_cast<double>(deaths) / static_cast<double>(lives.size() - begin);
       begin = end;
     }
-    shares.push_back(lives.empty() ? unknown : 1.0 - surviving);
+    shares.push_back(lives.empty() ? unknown_value : 1.0 - surviving);
   }
   return shares;
 }
@@ -113,7 +112,7 @@ std::vector<double> j_function(std::span<const Point2> points, const Window& win
   const std::vector<double> f = empty_space_function(points, window, distances, options);
   std::vector<double> values;
   for (std::size_t k = 0; k < g.size(); ++k)
-    values.push_back(f[k] < 1.0 ? (1.0 - g[k]) / (1.0 - f[k]) : unknown);
+    values.push_back(f[k] < 1.0 ? (1.0 - g[k]) / (1.0 - f[k]) : unknown_value);
   return values;
 }
 

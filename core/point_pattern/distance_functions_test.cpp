@@ -18,13 +18,13 @@ namespace {
 using namespace test_patterns;
 
 using Values = std::vector<double>;
-using enum DistanceCorrection;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-12;
-const std::vector<DistanceCorrection> all_corrections{none, border, kaplan_meier};
+constexpr double distribution_rounding = 1e-12;
+const std::vector<DistanceCorrection> all_distance_corrections{
+    DistanceCorrection::none, DistanceCorrection::border, DistanceCorrection::kaplan_meier};
 
 TEST(DistanceDistribution, IsTheOneByHand) {
+  using enum DistanceCorrection;
   // Deaths at 1 and 3, censored at 1 and 2, both at 3.
   const Values measured{1.0, 5.0, 9.0, 3.0, 7.0}, to_edge{4.0, 1.0, 2.0, 3.0, 3.0};
   const Values asked{0.5, 1.0, 2.0, 2.5, 3.0, 3.5, 9.0};
@@ -36,10 +36,12 @@ TEST(DistanceDistribution, IsTheOneByHand) {
   EXPECT_TRUE(std::isnan(reduced[6]));  // nobody is that far inside
   const Values survival = distance_distribution(measured, to_edge, asked, kaplan_meier);
   const Values expected{0.0, 0.2, 0.2, 0.2, 0.6, 0.6, 0.6};  // 1 - 0.8 and 1 - 0.8 / 2
-  for (std::size_t k = 0; k < asked.size(); ++k) EXPECT_NEAR(survival[k], expected[k], rounding);
+  for (std::size_t k = 0; k < asked.size(); ++k)
+    EXPECT_NEAR(survival[k], expected[k], distribution_rounding);
 }
 
 TEST(DistanceDistributionLaw, WithoutABorderAllCorrectionsAgree) {
+  using enum DistanceCorrection;
   const Window ring = Window::torus(unit_square);
   const Values asked{0.0, 0.01, 0.03, 0.05, 0.1, 0.3};
   for (const std::size_t count : {1U, 2U, 200U}) {
@@ -47,11 +49,13 @@ TEST(DistanceDistributionLaw, WithoutABorderAllCorrectionsAgree) {
     const Values g = nearest_neighbour_function(points, ring, asked, {none});
     EXPECT_EQ(nearest_neighbour_function(points, ring, asked, {border}), g);
     const Values survival = nearest_neighbour_function(points, ring, asked, {kaplan_meier});
-    for (std::size_t k = 0; k < asked.size(); ++k) EXPECT_NEAR(survival[k], g[k], rounding);
+    for (std::size_t k = 0; k < asked.size(); ++k)
+      EXPECT_NEAR(survival[k], g[k], distribution_rounding);
   }
 }
 
 TEST(DistanceFunctionsOracle, BorderAndNoneAreThoseOfTheirDefinition) {
+  using enum DistanceCorrection;
   const Values asked{0.01, 0.05, 0.1, 0.15};
   for (const auto& [name, window, points] : assorted_patterns()) {
     const Values measured = nearest_distances(points, window);
@@ -103,6 +107,7 @@ Means means_of(const Window& window, const Values& asked, DistanceCorrection cor
 const Values asked_of_random{0.01, 0.02, 0.03, 0.05, 0.07};
 
 TEST(DistanceFunctionsLaw, OfRandomPatternsAreTheExponentialOnes) {
+  using enum DistanceCorrection;
   for (const Window& window : {Window::rectangle(unit_square), Window::torus(unit_square)})
     for (const DistanceCorrection correction : {border, kaplan_meier}) {
       const Means means = means_of(window, asked_of_random, correction);
@@ -121,6 +126,7 @@ TEST(DistanceFunctionsLaw, OfRandomPatternsAreTheExponentialOnes) {
 }
 
 TEST(DistanceFunctionsLaw, HoldInAPolygon) {
+  using enum DistanceCorrection;
   const Means means = means_of(l_shape(), asked_of_random, kaplan_meier);
   for (std::size_t k = 0; k < asked_of_random.size(); ++k) {
     EXPECT_LT(std::abs(means.g[k].errors_above(
@@ -134,6 +140,7 @@ TEST(DistanceFunctionsLaw, HoldInAPolygon) {
 
 // The laws above must be able to fail.
 TEST(DistanceFunctionsLaw, UncorrectedAreFarBelow) {
+  using enum DistanceCorrection;
   const Window plot = Window::rectangle(unit_square);
   const Means means = means_of(plot, asked_of_random, none);
   EXPECT_LT(means.g[3].errors_above(disc_probability(0.05, plot, point_count - 1.0)), -chance);
@@ -141,6 +148,7 @@ TEST(DistanceFunctionsLaw, UncorrectedAreFarBelow) {
 }
 
 TEST(DistanceFunctions, OfALatticeStepAtItsSpacing) {
+  using enum DistanceCorrection;
   const Window ring = Window::torus(lattice_box(8, 8));
   const Points lattice = square_lattice(8, 8);
   const Values asked{0.25, 0.5, std::nextafter(1.0, 0.0), 1.0};
@@ -164,9 +172,10 @@ TEST(DistanceFunctions, TellClustersByJ) {
 }
 
 TEST(DistanceFunctions, OfTooFewOrEqualPointsAreDefined) {
+  using enum DistanceCorrection;
   const Window plot = Window::rectangle(unit_square);
   const Points single{{0.5, 0.5}}, equal(9, Point2{0.5, 0.5});
-  for (const DistanceCorrection correction : all_corrections) {
+  for (const DistanceCorrection correction : all_distance_corrections) {
     EXPECT_TRUE(std::isnan(nearest_neighbour_function({}, plot, Values{0.1}, {correction})[0]));
     EXPECT_EQ(empty_space_function({}, plot, Values{0.1}, {correction})[0], 0.0);
     EXPECT_TRUE(std::isnan(j_function({}, plot, Values{0.1}, {correction})[0]));
@@ -186,6 +195,7 @@ TEST(TestGrid, CoversTheWindowEvenly) {
 }
 
 TEST(DistanceFunctionsLaw, ThreadsDoNotMatter) {
+  using enum DistanceCorrection;
   const Points points = random_points(l_shape(), 3000, 4);
   const DistanceFunctionOptions one{}, four{kaplan_meier, 128, 4};
   const Values asked{0.005, 0.01, 0.02};
@@ -195,6 +205,7 @@ TEST(DistanceFunctionsLaw, ThreadsDoNotMatter) {
 }
 
 TEST(DistanceFunctions, RefuseWhatHasNoMeaning) {
+  using enum DistanceCorrection;
   const Window plot = Window::rectangle(unit_square);
   EXPECT_THROW(nearest_neighbour_function({}, plot, Values{0.2, 0.1}), ContractViolation);
   EXPECT_THROW(nearest_neighbour_function({}, plot, Values{infinity}), ContractViolation);

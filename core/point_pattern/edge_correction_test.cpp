@@ -12,24 +12,26 @@ namespace {
 using namespace test_patterns;
 
 constexpr double pi = std::numbers::pi;
-constexpr double rounding = 1e-12;
+constexpr double circle_share_rounding = 1e-12;
 
 TEST(ShareOfCircleInside, IsTheOneByHand) {
   const Window square = Window::rectangle({{-1.0, -1.0}, {1.0, 1.0}});
   for (const Window& window : {square, Window::polygon(square.corners())}) {
     EXPECT_EQ(share_of_circle_inside(window, {0.0, 0.0}, 0.0), 1.0);
-    EXPECT_NEAR(share_of_circle_inside(window, {0.0, 0.0}, 0.75), 1.0, rounding);
-    EXPECT_NEAR(share_of_circle_inside(window, {1.0, 0.0}, 0.5), 0.5, rounding);    // on a side
-    EXPECT_NEAR(share_of_circle_inside(window, {1.0, -1.0}, 1.5), 0.25, rounding);  // on a corner
+    EXPECT_NEAR(share_of_circle_inside(window, {0.0, 0.0}, 0.75), 1.0, circle_share_rounding);
+    EXPECT_NEAR(share_of_circle_inside(window, {1.0, 0.0}, 0.5), 0.5,
+                circle_share_rounding);  // on a side
+    EXPECT_NEAR(share_of_circle_inside(window, {1.0, -1.0}, 1.5), 0.25,
+                circle_share_rounding);  // on a corner
     // Side at half the radius: a third outside. All four sides: 8 arcs of acos(1/r) outside.
-    EXPECT_NEAR(share_of_circle_inside(window, {0.5, 0.0}, 1.0), 2.0 / 3.0, rounding);
+    EXPECT_NEAR(share_of_circle_inside(window, {0.5, 0.0}, 1.0), 2.0 / 3.0, circle_share_rounding);
     EXPECT_NEAR(share_of_circle_inside(window, {0.0, 0.0}, 1.25), 1.0 - 4.0 * std::acos(0.8) / pi,
-                rounding);
-    EXPECT_NEAR(share_of_circle_inside(window, {0.0, 0.0}, 1.5), 0.0, rounding);
-    EXPECT_NEAR(share_of_circle_inside(window, {0.0, 0.0}, 100.0), 0.0, rounding);
+                circle_share_rounding);
+    EXPECT_NEAR(share_of_circle_inside(window, {0.0, 0.0}, 1.5), 0.0, circle_share_rounding);
+    EXPECT_NEAR(share_of_circle_inside(window, {0.0, 0.0}, 100.0), 0.0, circle_share_rounding);
   }
-  EXPECT_NEAR(share_of_circle_inside(l_shape(), {1.0, 1.0}, 0.5), 0.75, rounding);
-  EXPECT_NEAR(share_of_circle_inside(l_shape(), {0.5, 0.5}, 0.5), 1.0, rounding);
+  EXPECT_NEAR(share_of_circle_inside(l_shape(), {1.0, 1.0}, 0.5), 0.75, circle_share_rounding);
+  EXPECT_NEAR(share_of_circle_inside(l_shape(), {0.5, 0.5}, 0.5), 1.0, circle_share_rounding);
   EXPECT_EQ(share_of_circle_inside(Window::torus(unit_square), {0.1, 0.1}, 0.3), 1.0);
 }
 
@@ -70,9 +72,9 @@ TEST(PairWeights, AreThoseOfTheirDefinition) {
   EXPECT_EQ(PairWeights(points, plot, EdgeCorrection::none)(0, d, 1.0), 1.0);
   EXPECT_EQ(PairWeights(points, plot, EdgeCorrection::translation)(0, d, 1.0), 8.0 / (3.0 * 1.5));
   const PairWeights isotropic(points, plot, EdgeCorrection::isotropic);
-  EXPECT_NEAR(isotropic(0, d, 1.0), 4.0, rounding);
+  EXPECT_NEAR(isotropic(0, d, 1.0), 4.0, circle_share_rounding);
   EXPECT_EQ(isotropic(1, d, 1.0), 1.0);
-  EXPECT_NEAR(isotropic(1, d, 2.0), 1.0 / (1.0 - 2.0 / 3.0), rounding);
+  EXPECT_NEAR(isotropic(1, d, 2.0), 1.0 / (1.0 - 2.0 / 3.0), circle_share_rounding);
   EXPECT_EQ(isotropic(1, d, std::sqrt(5.0)), 0.0);  // through the corners
 }
 

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "core/point_pattern/special_values.hpp"
 
 namespace phytobench {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double squared_distance_to_side(const Point2& a, const Point2& b, const Point2& point) {
   const Point2 along = b - a, offset = point - a;
@@ -20,14 +19,14 @@ double squared_distance_to_side(const Point2& a, const Point2& b, const Point2& 
 }  // namespace
 
 double distance_to_edge(const Window& window, const Point2& point) {
-  if (window.kind() == WindowKind::torus) return infinity;
+  if (window.kind() == WindowKind::torus) return infinite_distance;
   const Rectangle& box = window.bounding_box();
   if (window.kind() == WindowKind::rectangle && box.contains(point))
     // Without a rounding error, where a pattern lies on a lattice.
     return std::min(
         {point.x - box.low.x, box.high.x - point.x, point.y - box.low.y, box.high.y - point.y});
   const std::vector<Point2>& corners = window.corners();
-  double least = infinity;
+  double least = infinite_distance;
   for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)
     least = std::min(least, squared_distance_to_side(corners[j], corners[i], point));
   return std::sqrt(least);

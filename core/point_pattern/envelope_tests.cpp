@@ -8,12 +8,11 @@
 
 #include "core/contract/check.hpp"
 #include "core/parallel/for_blocks.hpp"
+#include "core/point_pattern/special_values.hpp"
 
 namespace phytobench {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The curves one below the other, the observed one first, and the distances that count.
 struct Table {
@@ -41,7 +40,7 @@ Table table_of(const Curves& curves) {
 EnvelopeTest test_with_centre(const Table& table) {
   const std::size_t length = table.curves[0]->size();
   EnvelopeTest test;
-  test.centre = test.low = test.high = std::vector<double>(length, unknown);
+  test.centre = test.low = test.high = std::vector<double>(length, unknown_value);
   std::vector<double> values(table.curves.size());
   for (const std::size_t k : table.distances) {
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = table.at(i, k);

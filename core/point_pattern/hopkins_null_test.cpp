@@ -21,9 +21,8 @@ namespace phytobench {
 namespace {
 
 using test_patterns::Points;
-
-const Window square = Window::rectangle(test_patterns::unit_square);
-const Window torus = Window::torus(test_patterns::unit_square);
+using test_patterns::unit_plot;
+using test_patterns::unit_torus;
 
 double p_value(const Points& points, const Window& window, const HopkinsNull& null) {
   return rank_p_value(hopkins_exact(points, window).mean_ratio, null.mean_ratio, Tail::both);
@@ -31,7 +30,7 @@ double p_value(const Points& points, const Window& window, const HopkinsNull& nu
 
 TEST(HopkinsNullSlow, PValuesOfRandomPatternsAreUniform) {
   constexpr std::size_t points = 50;
-  for (const Window& window : {square, torus, test_patterns::l_shape()}) {
+  for (const Window& window : {unit_plot, unit_torus, test_patterns::l_shape()}) {
     std::vector<double> p_values;
     const std::uint64_t runs = window.kind() == WindowKind::polygon ? 300 : 1000;
     for (std::uint64_t k = 0; k < runs; ++k) {
@@ -57,7 +56,7 @@ TEST(HopkinsNullLaw, LevelIsKeptInAGuessedWindow) {
   for (const std::size_t points : {3u, 20u}) {
     int rejected = 0, without_care = 0;
     for (std::uint64_t k = 0; k < runs; ++k) {
-      const Points pattern = random_pattern(square, points, 13, k);
+      const Points pattern = random_pattern(unit_plot, points, 13, k);
       Rectangle box{pattern[0], pattern[0]};
       for (const Point2& p : pattern) {
         box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
@@ -89,8 +88,8 @@ TEST(HopkinsNullLaw, TheFTestWithAsManyPlacesAsPointsDoesNotHoldItsLevel) {
   int rejected = 0;
   CounterStream stream(3, 0);
   for (std::uint64_t k = 0; k < runs; ++k) {
-    const Points pattern = random_pattern(square, points, 9, k);
-    const double a = 1.0 / hopkins_sampled(pattern, square, points, stream).squared_ratio;
+    const Points pattern = random_pattern(unit_plot, points, 9, k);
+    const double a = 1.0 / hopkins_sampled(pattern, unit_plot, points, stream).squared_ratio;
     rejected += a < low || a > high;
   }
   const double rate = static_cast<double>(rejected) / runs;
@@ -99,16 +98,16 @@ TEST(HopkinsNullLaw, TheFTestWithAsManyPlacesAsPointsDoesNotHoldItsLevel) {
 }
 
 TEST(HopkinsNull, FindsClustersAndLattices) {
-  const HopkinsNull null = hopkins_null(torus, 100, {.simulations = 199});
+  const HopkinsNull null = hopkins_null(unit_torus, 100, {.simulations = 199});
   int clusters = 0, lattices = 0;
   constexpr int runs = 40;
   for (int k = 0; k < runs; ++k) {
     CounterStream stream(11, static_cast<std::uint64_t>(k));
     Points cluster =
-        thomas_points(torus, {{20, NumberLaw::fixed, 5, NumberLaw::fixed}, 0.03}, stream);
-    clusters += p_value(cluster, torus, null) <= 0.05;
-    lattices +=
-        p_value(jittered_lattice(test_patterns::unit_square, 10, 10, stream), torus, null) <= 0.05;
+        thomas_points(unit_torus, {{20, NumberLaw::fixed, 5, NumberLaw::fixed}, 0.03}, stream);
+    clusters += p_value(cluster, unit_torus, null) <= 0.05;
+    lattices += p_value(jittered_lattice(test_patterns::unit_square, 10, 10, stream), unit_torus,
+                        null) <= 0.05;
   }
   EXPECT_EQ(clusters, runs);
   EXPECT_EQ(lattices, runs);
@@ -116,9 +115,9 @@ TEST(HopkinsNull, FindsClustersAndLattices) {
 
 TEST(HopkinsNullSlow, ScalesItsSpreadForLargePatterns) {
   const HopkinsNull small =
-      hopkins_null(torus, 6400, {.simulations = 300, .seed = 1, .most_points = 400});
+      hopkins_null(unit_torus, 6400, {.simulations = 300, .seed = 1, .most_points = 400});
   const HopkinsNull full =
-      hopkins_null(torus, 6400, {.simulations = 300, .seed = 2, .most_points = 6400});
+      hopkins_null(unit_torus, 6400, {.simulations = 300, .seed = 2, .most_points = 6400});
   EXPECT_EQ(small.points_per_pattern, 400u);
   const auto width = [](const std::vector<double>& values) {
     const auto band = central_95(values);
@@ -143,8 +142,9 @@ TEST(HopkinsNull, AStripStaysAStripWhenItIsCut) {
 }
 
 TEST(HopkinsNull, DoesNotDependOnThreads) {
-  const HopkinsNull one = hopkins_null(square, 60, {.simulations = 40, .seed = 5});
-  const HopkinsNull three = hopkins_null(square, 60, {.simulations = 40, .seed = 5, .threads = 3});
+  const HopkinsNull one = hopkins_null(unit_plot, 60, {.simulations = 40, .seed = 5});
+  const HopkinsNull three =
+      hopkins_null(unit_plot, 60, {.simulations = 40, .seed = 5, .threads = 3});
   EXPECT_EQ(one.mean_ratio, three.mean_ratio);
   EXPECT_EQ(one.squared_ratio, three.squared_ratio);
 }

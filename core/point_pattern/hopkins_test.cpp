@@ -19,9 +19,8 @@ namespace {
 
 using test_patterns::Points;
 using test_patterns::Sample;
-
-const Window torus = Window::torus(test_patterns::unit_square);
-const Window square = Window::rectangle(test_patterns::unit_square);
+using test_patterns::unit_plot;
+using test_patterns::unit_torus;
 
 TEST(Hopkins, LatticesHaveTheirClosedForms) {
   const Rectangle box{{0, 0}, {12, 12}};
@@ -37,14 +36,14 @@ TEST(Hopkins, LatticesHaveTheirClosedForms) {
 TEST(Hopkins, HasDefinedAnswersWhereThereIsNothingToCompare) {
   CounterStream stream(1, 0);
   for (const Points& points : {Points{}, Points{{0.5, 0.5}}}) {
-    EXPECT_TRUE(std::isnan(hopkins_exact(points, square).mean_ratio));
-    EXPECT_TRUE(std::isnan(hopkins_sampled(points, square, 10, stream).squared_ratio));
+    EXPECT_TRUE(std::isnan(hopkins_exact(points, unit_plot).mean_ratio));
+    EXPECT_TRUE(std::isnan(hopkins_sampled(points, unit_plot, 10, stream).squared_ratio));
   }
-  EXPECT_TRUE(std::isinf(hopkins_exact(Points(5, {0.25, 0.5}), square).mean_ratio));
+  EXPECT_TRUE(std::isinf(hopkins_exact(Points(5, {0.25, 0.5}), unit_plot).mean_ratio));
 }
 
 TEST(HopkinsLaw, SampledConvergesToExact) {
-  for (const Window& window : {torus, square, test_patterns::l_shape()}) {
+  for (const Window& window : {unit_torus, unit_plot, test_patterns::l_shape()}) {
     const Points points = test_patterns::clustered_points(window, 300, 0.1, 2);
     const HopkinsIndex exact = hopkins_exact(points, window);
     Sample mean, squared;
@@ -62,10 +61,10 @@ TEST(HopkinsLaw, SampledConvergesToExact) {
 
 TEST(HopkinsLaw, DoesNotDependOnOrderOrScale) {
   for (const double scale : {0x1p-40, 0x1p40}) {
-    Points points = test_patterns::random_points(square, 400, 5);
-    const HopkinsIndex first = hopkins_exact(points, square);
+    Points points = test_patterns::random_points(unit_plot, 400, 5);
+    const HopkinsIndex first = hopkins_exact(points, unit_plot);
     std::reverse(points.begin(), points.end());
-    EXPECT_NEAR(hopkins_exact(points, square).mean_ratio / first.mean_ratio, 1.0, 1e-13);
+    EXPECT_NEAR(hopkins_exact(points, unit_plot).mean_ratio / first.mean_ratio, 1.0, 1e-13);
     for (Point2& p : points) p = scale * p;
     const HopkinsIndex scaled = hopkins_exact(points, Window::rectangle({{0, 0}, {scale, scale}}));
     EXPECT_NEAR(scaled.mean_ratio / first.mean_ratio, 1.0, 1e-12);
@@ -77,32 +76,32 @@ TEST(HopkinsLaw, DoesNotDependOnOrderOrScale) {
 TEST(HopkinsLaw, TellsClustersFromLattices) {
   CounterStream stream(7, 0);
   using enum NumberLaw;
-  const Points clusters = thomas_points(torus, {{20, fixed, 20, fixed}, 0.05}, stream);
-  EXPECT_GT(hopkins_exact(clusters, torus).mean_ratio, 1.5);
-  EXPECT_LT(
-      hopkins_exact(jittered_lattice(test_patterns::unit_square, 20, 20, stream), torus).mean_ratio,
-      0.85);
+  const Points clusters = thomas_points(unit_torus, {{20, fixed, 20, fixed}, 0.05}, stream);
+  EXPECT_GT(hopkins_exact(clusters, unit_torus).mean_ratio, 1.5);
+  EXPECT_LT(hopkins_exact(jittered_lattice(test_patterns::unit_square, 20, 20, stream), unit_torus)
+                .mean_ratio,
+            0.85);
 }
 
 TEST(ExpectedNearestDistance, OnATorusHasTheRatiosOfExpectations) {
   const auto ratio = [](const Window& window, std::size_t n) {
     return expected_nearest_distance(window, n) / expected_nearest_distance(window, n - 1);
   };
-  EXPECT_NEAR(ratio(torus, 2), 0.788148, 1e-6);
-  EXPECT_NEAR(ratio(torus, 3), 0.855589, 1e-6);
-  EXPECT_NEAR(ratio(torus, 4), 0.888652, 1e-6);
-  EXPECT_NEAR(ratio(torus, 5), 0.909052, 1e-6);
+  EXPECT_NEAR(ratio(unit_torus, 2), 0.788148, 1e-6);
+  EXPECT_NEAR(ratio(unit_torus, 3), 0.855589, 1e-6);
+  EXPECT_NEAR(ratio(unit_torus, 4), 0.888652, 1e-6);
+  EXPECT_NEAR(ratio(unit_torus, 5), 0.909052, 1e-6);
   for (const std::size_t n : {10u, 100u, 10'000u})
-    EXPECT_NEAR(ratio(torus, n), 2.0 * static_cast<double>(n) / (2.0 * static_cast<double>(n) + 1),
-                2e-8)
+    EXPECT_NEAR(ratio(unit_torus, n),
+                2.0 * static_cast<double>(n) / (2.0 * static_cast<double>(n) + 1), 2e-8)
         << n;
   // Mean distance of two points on the unit torus: (sqrt 2 + asinh 1) / 6, as a square's centre.
-  EXPECT_NEAR(expected_nearest_distance(torus, 1), 0.38259785823210635, 1e-10);
+  EXPECT_NEAR(expected_nearest_distance(unit_torus, 1), 0.38259785823210635, 1e-10);
 }
 
 TEST(ExpectedNearestDistance, IsTheMeanOfRandomPatterns) {
-  for (const Window& window :
-       {torus, square, Window::torus({{0, 0}, {3, 0.4}}), Window::rectangle({{0, 0}, {2, 1}})}) {
+  for (const Window& window : {unit_torus, unit_plot, Window::torus({{0, 0}, {3, 0.4}}),
+                               Window::rectangle({{0, 0}, {2, 1}})}) {
     Sample distance;
     for (std::uint64_t k = 0; k < 3000; ++k)
       distance.add(clark_evans(test_patterns::random_points(window, 30, k), window).mean_distance);
@@ -115,7 +114,7 @@ TEST(ExpectedNearestDistance, IsTheMeanOfRandomPatterns) {
 }
 
 TEST(ClarkEvans, PValuesOfRandomPatternsAreNearlyUniform) {
-  for (const Window& window : {torus, square}) {
+  for (const Window& window : {unit_torus, unit_plot}) {
     std::vector<double> p_values;
     for (std::uint64_t k = 0; k < 1000; ++k)
       p_values.push_back(clark_evans(test_patterns::random_points(window, 60, k), window).p_value);
@@ -125,14 +124,14 @@ TEST(ClarkEvans, PValuesOfRandomPatternsAreNearlyUniform) {
 
 TEST(ClarkEvans, CountsEdgesAndTellsClustersFromLattices) {
   const Points lattice = square_lattice(test_patterns::unit_square, 10, 10);
-  EXPECT_NEAR(clark_evans(lattice, torus).naive_ratio, 2.0, 1e-12);
-  EXPECT_LT(clark_evans(lattice, torus).p_value, 1e-12);
-  EXPECT_GT(clark_evans(lattice, torus).z, 10);
+  EXPECT_NEAR(clark_evans(lattice, unit_torus).naive_ratio, 2.0, 1e-12);
+  EXPECT_LT(clark_evans(lattice, unit_torus).p_value, 1e-12);
+  EXPECT_GT(clark_evans(lattice, unit_torus).z, 10);
   const ClarkEvansIndex clusters =
-      clark_evans(test_patterns::clustered_points(square, 200, 0.05, 1), square);
+      clark_evans(test_patterns::clustered_points(unit_plot, 200, 0.05, 1), unit_plot);
   EXPECT_LT(clusters.z, -5);
   EXPECT_LT(clusters.ratio, clusters.naive_ratio);  // edges make distances longer
-  EXPECT_TRUE(std::isnan(clark_evans(Points{{0, 0}}, square).ratio));
+  EXPECT_TRUE(std::isnan(clark_evans(Points{{0, 0}}, unit_plot).ratio));
   // No normal law in a strip: rather none than a wrong one.
   for (const Window& strip :
        {Window::rectangle({{0, 0}, {100, 1}}), Window::torus({{0, 0}, {1, 1e6}})}) {
@@ -143,7 +142,7 @@ TEST(ClarkEvans, CountsEdgesAndTellsClustersFromLattices) {
 }
 
 TEST(LloydLaw, EnergyNeverRisesAndApproachesTheTriangularLattice) {
-  for (const Window& window : {torus, square, test_patterns::l_shape()}) {
+  for (const Window& window : {unit_torus, unit_plot, test_patterns::l_shape()}) {
     Points points = test_patterns::random_points(window, 150, 3);
     double last = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 40; ++k) {

@@ -14,17 +14,17 @@
 namespace phytobench {
 namespace {
 
-constexpr double rounding = 1e-12;  // coordinates below 10
+constexpr double coordinate_rounding = 1e-12;  // coordinates below 10
 
 /// Distances from each point to all others on the torus, ascending; one row per point.
 std::vector<std::vector<double>> sorted_distances(const std::vector<Point2>& points,
                                                   const Rectangle& box) {
-  const Window torus = Window::torus(box);
+  const Window periodic_box = Window::torus(box);
   std::vector<std::vector<double>> rows;
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::vector<double>& row = rows.emplace_back();
     for (std::size_t j = 0; j < points.size(); ++j)
-      if (j != i) row.push_back(norm(torus.difference(points[i], points[j])));
+      if (j != i) row.push_back(norm(periodic_box.difference(points[i], points[j])));
     std::sort(row.begin(), row.end());
   }
   return rows;
@@ -41,9 +41,9 @@ TEST(SquareLatticeLaw, EachPointHasFourNearestNeighboursOnTheTorus) {
   const auto points = square_lattice(box, 10, 8);
   ASSERT_EQ(points.size(), 80u);
   for (const auto& distances : sorted_distances(points, box)) {
-    EXPECT_NEAR(distances[0], 0.5, rounding);
-    EXPECT_NEAR(distances[3], 0.5, rounding);
-    EXPECT_NEAR(distances[4], 0.5 * std::sqrt(2.0), rounding);
+    EXPECT_NEAR(distances[0], 0.5, coordinate_rounding);
+    EXPECT_NEAR(distances[3], 0.5, coordinate_rounding);
+    EXPECT_NEAR(distances[4], 0.5 * std::sqrt(2.0), coordinate_rounding);
   }
 }
 
@@ -52,9 +52,9 @@ TEST(TriangularLatticeLaw, EachPointHasSixNearestNeighboursOnTheTorus) {
   const auto points = triangular_lattice(box, 6, 8);
   ASSERT_EQ(points.size(), 48u);
   for (const auto& distances : sorted_distances(points, box)) {
-    EXPECT_NEAR(distances[0], 1.0, rounding);
-    EXPECT_NEAR(distances[5], 1.0, rounding);
-    EXPECT_NEAR(distances[6], std::sqrt(3.0), rounding);
+    EXPECT_NEAR(distances[0], 1.0, coordinate_rounding);
+    EXPECT_NEAR(distances[5], 1.0, coordinate_rounding);
+    EXPECT_NEAR(distances[6], std::sqrt(3.0), coordinate_rounding);
   }
 }
 
@@ -77,7 +77,9 @@ TEST(JitteredLatticeLaw, HasOneUniformPointPerCell) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double x = (points[i].x - 10.0) / 0.1 - static_cast<double>(i % columns);
     const double y = (points[i].y + 3.0) / 0.2 - static_cast<double>(i / columns);
-    ASSERT_TRUE(x > -rounding && x < 1.0 + rounding && y > -rounding && y < 1.0 + rounding) << i;
+    ASSERT_TRUE(x > -coordinate_rounding && x < 1.0 + coordinate_rounding &&
+                y > -coordinate_rounding && y < 1.0 + coordinate_rounding)
+        << i;
     const auto quarter = [](double share) {
       return static_cast<std::size_t>(std::clamp(4.0 * share, 0.0, 3.0));
     };

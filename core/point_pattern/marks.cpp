@@ -2,17 +2,15 @@
 #include "core/point_pattern/marks.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "core/contract/check.hpp"
 #include "core/point_pattern/close_pairs.hpp"
 #include "core/point_pattern/kernel_sums.hpp"
+#include "core/point_pattern/special_values.hpp"
 
 namespace phytobench {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Kernel mean of product(m_i, m_j), the same for either order, over the pairs at each distance.
 template <class Product>
@@ -25,7 +23,7 @@ std::vector<double> kernel_mean(std::span<const Point2> points, std::span<const 
   const PairWeights weights(points, window, options.correction);
   const DistanceBins checked(distances);
   const std::size_t size = distances.size();
-  if (points.size() < 2) return std::vector<double>(size, unknown);
+  if (points.size() < 2) return std::vector<double>(size, unknown_value);
 
   const KernelGrid kernel(distances, options.half_width > 0.0
                                          ? options.half_width
@@ -48,7 +46,7 @@ std::vector<double> kernel_mean(std::span<const Point2> points, std::span<const 
       });
   std::vector<double> means;
   for (std::size_t k = 0; k < size; ++k)
-    means.push_back(sums[size + k] > 0.0 ? sums[k] / sums[size + k] : unknown);
+    means.push_back(sums[size + k] > 0.0 ? sums[k] / sums[size + k] : unknown_value);
   return means;
 }
 
@@ -59,7 +57,7 @@ double mean_of(std::span<const double> marks) {
 }
 
 void divide(std::vector<double>& values, double divisor) {
-  for (double& value : values) value = divisor > 0.0 ? value / divisor : unknown;
+  for (double& value : values) value = divisor > 0.0 ? value / divisor : unknown_value;
 }
 
 }  // namespace

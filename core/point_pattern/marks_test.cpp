@@ -15,8 +15,8 @@ using namespace test_patterns;
 using Values = std::vector<double>;
 using enum EdgeCorrection;
 
-constexpr double rounding = 1e-11;
-const Values distances{0.05, 0.1, 0.2, 0.3};
+constexpr double mark_rounding = 1e-11;
+const Values mark_distances{0.05, 0.1, 0.2, 0.3};
 
 Values random_marks(std::size_t count, std::uint64_t stream_index) {
   CounterStream stream(91, stream_index);
@@ -66,12 +66,12 @@ TEST(MarkCorrelationOracle, IsThatOfADoubleLoop) {
         const Points points = random_points(window, 120, 3);
         const Values marks = random_marks(120, 3);
         const SmoothingOptions options{correction, 0.05, circle_at};
-        const Values k = mark_correlation(points, marks, window, distances, options);
-        for (std::size_t i = 0; i < distances.size(); ++i)
+        const Values k = mark_correlation(points, marks, window, mark_distances, options);
+        for (std::size_t i = 0; i < mark_distances.size(); ++i)
           EXPECT_NEAR(k[i],
-                      product_mean(points, marks, window, distances[i], options) /
+                      product_mean(points, marks, window, mark_distances[i], options) /
                           (mean_of(marks) * mean_of(marks)),
-                      rounding);
+                      mark_rounding);
       }
 }
 
@@ -81,9 +81,9 @@ TEST(MarkFunctions, OfTwoPointsAreTheirPair) {
   const Values marks{1.0, 3.0};
   const SmoothingOptions options{translation, 0.1};
   const Values at{0.2, 0.5};
-  EXPECT_NEAR(mark_correlation(points, marks, plot, at, options)[1], 3.0 / 4.0, rounding);
-  EXPECT_NEAR(mark_variogram(points, marks, plot, at, options)[1], 2.0, rounding);
-  EXPECT_NEAR(mark_moran_index(points, marks, plot, at, options)[1], -1.0, rounding);
+  EXPECT_NEAR(mark_correlation(points, marks, plot, at, options)[1], 3.0 / 4.0, mark_rounding);
+  EXPECT_NEAR(mark_variogram(points, marks, plot, at, options)[1], 2.0, mark_rounding);
+  EXPECT_NEAR(mark_moran_index(points, marks, plot, at, options)[1], -1.0, mark_rounding);
   EXPECT_TRUE(std::isnan(mark_correlation(points, marks, plot, at, options)[0]));  // no pair near
 }
 
@@ -99,9 +99,9 @@ TEST(MarkFunctionsLaw, MeansOverRandomLabellingsAreExact) {
     std::vector<Sample> correlation(4), variogram(4), moran(4);
     for (std::uint64_t run = 0; run < 500; ++run) {
       const Values labels = relabelled(marks, 92, run);
-      const Values k = mark_correlation(points, labels, window, distances, options);
-      const Values v = mark_variogram(points, labels, window, distances, options);
-      const Values m = mark_moran_index(points, labels, window, distances, options);
+      const Values k = mark_correlation(points, labels, window, mark_distances, options);
+      const Values v = mark_variogram(points, labels, window, mark_distances, options);
+      const Values m = mark_moran_index(points, labels, window, mark_distances, options);
       for (std::size_t i = 0; i < 4; ++i)
         correlation[i].add(k[i]), variogram[i].add(v[i]), moran[i].add(m[i]);
     }
@@ -118,7 +118,7 @@ TEST(MarkCorrelationLaw, IsOneForIndependentMarks) {
   std::vector<Sample> samples(4);
   for (std::uint64_t run = 0; run < 100; ++run) {
     const Values k = mark_correlation(random_points(window, 400, run), random_marks(400, run),
-                                      window, distances, {translation, 0.02});
+                                      window, mark_distances, {translation, 0.02});
     for (std::size_t i = 0; i < 4; ++i) samples[i].add(k[i]);
   }
   for (const Sample& sample : samples) {
@@ -136,20 +136,20 @@ TEST(MarkFunctions, SeeNeighboursThatResembleEachOther) {
   for (const Point2& p : points) marks.push_back(1.0 + p.x);
   const SmoothingOptions options{translation};
   const double variance = squares_of(marks) / 3999.0;
-  EXPECT_GT(mark_correlation(points, marks, window, distances, options)[0], 1.02);
-  EXPECT_LT(mark_variogram(points, marks, window, distances, options)[0], 0.1 * variance);
-  EXPECT_GT(mark_moran_index(points, marks, window, distances, options)[0], 0.8);
+  EXPECT_GT(mark_correlation(points, marks, window, mark_distances, options)[0], 1.02);
+  EXPECT_LT(mark_variogram(points, marks, window, mark_distances, options)[0], 0.1 * variance);
+  EXPECT_GT(mark_moran_index(points, marks, window, mark_distances, options)[0], 0.8);
 }
 
 TEST(MarkFunctionsLaw, EqualMarksHaveNoStructure) {
   const Window window = Window::torus(unit_square);
   const Points points = random_points(window, 200, 7);
   const Values marks(200, 0.1);
-  for (const double k : mark_correlation(points, marks, window, distances, {torus}))
-    EXPECT_NEAR(k, 1.0, rounding);
-  for (const double v : mark_variogram(points, marks, window, distances, {torus}))
+  for (const double k : mark_correlation(points, marks, window, mark_distances, {torus}))
+    EXPECT_NEAR(k, 1.0, mark_rounding);
+  for (const double v : mark_variogram(points, marks, window, mark_distances, {torus}))
     EXPECT_EQ(v, 0.0);
-  for (const double m : mark_moran_index(points, marks, window, distances, {torus}))
+  for (const double m : mark_moran_index(points, marks, window, mark_distances, {torus}))
     EXPECT_TRUE(std::isnan(m));
 }
 
@@ -169,14 +169,16 @@ TEST(MarkFunctionsLaw, UnitsOfMarksAndThreadsDoNotMatter) {
 TEST(MarkFunctions, OfTooFewPointsAreUnknownAndOtherwiseRefuse) {
   const Window plot = Window::rectangle(unit_square);
   const Points one{{0.5, 0.5}}, two{{0.1, 0.1}, {0.1, 0.1}};
-  EXPECT_TRUE(std::isnan(mark_correlation({}, {}, plot, distances, {none})[0]));
-  EXPECT_TRUE(std::isnan(mark_moran_index(one, Values{1.0}, plot, distances, {none})[0]));
+  EXPECT_TRUE(std::isnan(mark_correlation({}, {}, plot, mark_distances, {none})[0]));
+  EXPECT_TRUE(std::isnan(mark_moran_index(one, Values{1.0}, plot, mark_distances, {none})[0]));
   EXPECT_TRUE(
       std::isnan(mark_correlation(two, Values{1.0, -1.0}, plot, Values{0.01}, {none, 0.1})[0]));
   EXPECT_EQ(mark_variogram(two, Values{1.0, -1.0}, plot, Values{0.01}, {none, 0.1})[0], 2.0);
-  EXPECT_THROW(mark_variogram(two, Values{1.0}, plot, distances, {none}), ContractViolation);
-  EXPECT_THROW(mark_variogram(two, Values{1.0, NAN}, plot, distances, {none}), ContractViolation);
-  EXPECT_THROW(mark_variogram(two, Values{1.0, 2.0}, plot, distances, {border}), ContractViolation);
+  EXPECT_THROW(mark_variogram(two, Values{1.0}, plot, mark_distances, {none}), ContractViolation);
+  EXPECT_THROW(mark_variogram(two, Values{1.0, NAN}, plot, mark_distances, {none}),
+               ContractViolation);
+  EXPECT_THROW(mark_variogram(two, Values{1.0, 2.0}, plot, mark_distances, {border}),
+               ContractViolation);
 }
 
 }  // namespace

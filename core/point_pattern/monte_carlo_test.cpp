@@ -40,7 +40,6 @@ TEST(RankPValue, LetsTiesCountAgainstSignificance) {
 }
 
 TEST(RankPValue, TakesInfinityAndRefusesNaN) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(rank_p_value(infinity, Values{1.0, infinity, 2.0}, Tail::upper), 0.5);
   EXPECT_THROW(rank_p_value(NAN, Values{1.0}, Tail::upper), ContractViolation);
   EXPECT_THROW(rank_p_value(1.0, Values{1.0, NAN}, Tail::both), ContractViolation);

@@ -9,12 +9,12 @@
 #include "core/geometry/point_tree.hpp"
 #include "core/parallel/for_blocks.hpp"
 #include "core/point_pattern/point_grid.hpp"
+#include "core/point_pattern/special_values.hpp"
 
 namespace phytobench {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double points_per_cell = 2.0;
 constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
 
@@ -36,12 +36,13 @@ struct Place {
 
   /// A lower bound on the distance to all cells more than `ring` off along this axis.
   double gap_beyond(std::int64_t ring) const {
-    double cells = infinity;
+    double cells = infinite_distance;
     // On a torus the last cell to be seen may be nearer by the other way round.
     if (joined ? ring < highest : -ring > lowest) cells = to_low;
     if (ring < highest) cells = std::min(cells, to_high);
-    return cells == infinity ? infinity
-                             : edge * std::max(0.0, static_cast<double>(ring) + cells - grid_slack);
+    return cells == infinite_distance
+               ? infinite_distance
+               : edge * std::max(0.0, static_cast<double>(ring) + cells - grid_slack);
   }
 };
 
@@ -74,7 +75,7 @@ class Search {
  private:
   bool is_settled(std::int64_t ring) const {
     const double gap = std::min(column_.gap_beyond(ring), row_.gap_beyond(ring));
-    return gap == infinity || least_ <= gap * gap;
+    return gap == infinite_distance || least_ <= gap * gap;
   }
 
   /// The cells at offsets [first, last] of the row `up` rows above.
@@ -117,7 +118,7 @@ class Search {
   Point2 query_;
   std::size_t self_;  // the query's own position in the grid
   Place column_, row_;
-  double least_ = infinity;
+  double least_ = infinite_distance;
 };
 
 /// The same through a balanced tree, for patterns whose points crowd into few cells.
@@ -135,7 +136,7 @@ class TreeSearch {
 
   /// To the nearest point but the one with index `self`.
   double nearest(const Point2& query, std::size_t self) const {
-    double least = infinity;
+    double least = infinite_distance;
     // Boxes of images are where rounding puts them: a little more is looked at.
     const auto reach = [&least] { return least * (1.0 + 1e-12); };
     for (const Point2& image : images_)

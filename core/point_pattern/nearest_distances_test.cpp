@@ -13,7 +13,6 @@ namespace {
 
 using namespace test_patterns;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
 
 double nearest_by_loop(const Point2& query, const Points& points, const Window& window,

@@ -2,26 +2,24 @@
 #include "core/point_pattern/pair_correlation.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "core/contract/check.hpp"
 #include "core/point_pattern/close_pairs.hpp"
 #include "core/point_pattern/kernel_sums.hpp"
 #include "core/point_pattern/pair_types.hpp"
+#include "core/point_pattern/special_values.hpp"
 
 namespace phytobench {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> smoothed(const PairTypes& types, const Window& window,
                              std::span<const double> distances, const SmoothingOptions& options) {
   const PairWeights weights(types.points(), window, options.correction);
   PHYTOBENCH_EXPECT(std::isfinite(options.half_width) && options.half_width >= 0.0);
   const DistanceBins checked(distances);
-  if (types.ordered_pairs() <= 0.0) return std::vector<double>(distances.size(), unknown);
+  if (types.ordered_pairs() <= 0.0) return std::vector<double>(distances.size(), unknown_value);
 
   const double half_width = options.half_width > 0.0
                                 ? options.half_width
@@ -44,7 +42,7 @@ std::vector<double> smoothed(const PairTypes& types, const Window& window,
   const double scale = window.area() / (2.0 * std::numbers::pi * types.ordered_pairs());
   for (std::size_t k = 0; k < values.size(); ++k) {
     values[k] *= scale;
-    if (!at_pair) values[k] = distances[k] > 0.0 ? values[k] / distances[k] : unknown;
+    if (!at_pair) values[k] = distances[k] > 0.0 ? values[k] / distances[k] : unknown_value;
   }
   return values;
 }

@@ -15,7 +15,7 @@ using namespace test_patterns;
 using Values = std::vector<double>;
 using enum EdgeCorrection;
 
-constexpr double rounding = 1e-12;
+constexpr double density_rounding = 1e-12;
 
 /// Straight from the definition, from `first` to `second` or among `first` alone.
 Values g_by_double_loop(const Points& first, const Points* second, const Window& window,
@@ -45,7 +45,7 @@ Values g_by_double_loop(const Points& first, const Points* second, const Window&
 void expect_close(const Values& values, const Values& expected) {
   ASSERT_EQ(values.size(), expected.size());
   for (std::size_t k = 0; k < values.size(); ++k)
-    EXPECT_NEAR(values[k], expected[k], rounding * (1.0 + std::abs(expected[k])));
+    EXPECT_NEAR(values[k], expected[k], density_rounding * (1.0 + std::abs(expected[k])));
 }
 
 TEST(PairCorrelationOracle, IsThatOfADoubleLoop) {

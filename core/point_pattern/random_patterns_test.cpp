@@ -10,19 +10,19 @@
 #include <gtest/gtest.h>
 
 #include "core/contract/errors.hpp"
+#include "core/point_pattern/test_patterns.hpp"
 #include "core/random/counter_stream.hpp"
 #include "core/statistics/chi_square.hpp"
 
 namespace phytobench {
 namespace {
 
-constexpr double standard_errors = 4.5;  // seeds are fixed: no test fails by chance later on
-constexpr double least_p = 1e-4;         // of a chi-square test: about four standard errors
-
-const Window unit_torus = Window::torus({{0, 0}, {1, 1}});
+using test_patterns::least_p;
+using test_patterns::standard_errors;
+using test_patterns::unit_torus;
 
 /// An L of three unit squares, away from the origin.
-Window ell() {
+Window distant_l_shape() {
   return Window::polygon({{5, 7}, {7, 7}, {7, 8}, {6, 8}, {6, 9}, {5, 9}});
 }
 
@@ -51,7 +51,8 @@ void expect_poisson_moments(const std::vector<double>& counts, double expected) 
 }
 
 TEST(UniformPoints, AreAsManyAsAskedForAndInside) {
-  for (const Window& window : {unit_torus, Window::rectangle({{-3, 2}, {5, 2.5}}), ell()})
+  for (const Window& window :
+       {unit_torus, Window::rectangle({{-3, 2}, {5, 2.5}}), distant_l_shape()})
     for (const std::size_t count : {0u, 1u, 500u}) {
       CounterStream stream(1, 0);
       const auto points = uniform_points(window, count, stream);
@@ -66,16 +67,16 @@ TEST(UniformPointsLaw, FallIntoEqualAreasEquallyOften) {
   for (const Point2& p : uniform_points(unit_torus, 20000, stream))
     ++cells.at(static_cast<std::size_t>(8.0 * p.y) * 8 + static_cast<std::size_t>(8.0 * p.x));
   EXPECT_GT(uniformity_p_value(cells), least_p);
-  for (const Point2& p : uniform_points(ell(), 20000, stream))
+  for (const Point2& p : uniform_points(distant_l_shape(), 20000, stream))
     ++squares[p.x > 6.0 ? 1 : p.y > 8.0 ? 2 : 0];
   EXPECT_GT(uniformity_p_value(squares), least_p);
 }
 
 TEST(UniformPointsLaw, MorePointsKeepTheFirstOnes) {
   CounterStream one(4, 2), other(4, 2), third(5, 2);
-  const auto few = uniform_points(ell(), 100, one);
-  auto many = uniform_points(ell(), 200, other);
-  EXPECT_NE(few, uniform_points(ell(), 100, third));
+  const auto few = uniform_points(distant_l_shape(), 100, one);
+  auto many = uniform_points(distant_l_shape(), 200, other);
+  EXPECT_NE(few, uniform_points(distant_l_shape(), 100, third));
   many.resize(100);
   EXPECT_EQ(few, many);
 }
@@ -168,7 +169,7 @@ TEST(PoissonOutwards, FollowsTheEquationsDrawByDraw) {
 
 TEST(PoissonPointsLaw, CountsHaveThePoissonLawInAnyWindow) {
   const Window narrow = Window::rectangle({{-3, 2}, {5, 2.5}});
-  for (const Window& window : {Window::torus({{2, 2}, {4, 4}}), narrow, ell()}) {
+  for (const Window& window : {Window::torus({{2, 2}, {4, 4}}), narrow, distant_l_shape()}) {
     std::vector<double> counts;
     for (std::uint64_t seed = 0; seed < 3000; ++seed) {
       const auto points = poisson(window, 5.0, seed);

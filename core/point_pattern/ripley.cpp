@@ -4,19 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 
 #include "core/contract/check.hpp"
 #include "core/point_pattern/close_pairs.hpp"
 #include "core/point_pattern/edge_distance.hpp"
 #include "core/point_pattern/pair_types.hpp"
+#include "core/point_pattern/special_values.hpp"
 
 namespace phytobench {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 template <class Number>
 void accumulate(std::vector<Number>& sums) {
@@ -76,7 +74,7 @@ std::vector<double> reduced(const PairTypes& types, const ClosePairs& pairs,
   std::vector<double> values;
   for (std::size_t k = 0; k < bins.size(); ++k) {
     const double possible = static_cast<double>(starts[k]) * types.partners();
-    values.push_back(possible > 0.0 ? static_cast<double>(counts[k]) / possible : unknown);
+    values.push_back(possible > 0.0 ? static_cast<double>(counts[k]) / possible : unknown_value);
   }
   return values;
 }
@@ -98,7 +96,7 @@ std::vector<double> k_of(const PairTypes& types, const Window& window,
                              : weighted(types, pairs, bins, weights, threads);
   const bool has_pairs = types.ordered_pairs() > 0.0;
   for (double& value : values)
-    value = has_pairs ? window.area() * value / types.ordered_pairs() : unknown;
+    value = has_pairs ? window.area() * value / types.ordered_pairs() : unknown_value;
   return values;
 }
 

@@ -29,11 +29,11 @@ Values errors_above_disc(const Window& window, const Values& distances, EdgeCorr
   return errors;
 }
 
-const Values distances{0.02, 0.05, 0.1, 0.2, 0.3, 0.45};
+const Values law_distances{0.02, 0.05, 0.1, 0.2, 0.3, 0.45};
 
 TEST(RipleyKLaw, OnATorusTheMeanIsTheDisc) {
   for (const std::size_t points : {2U, 10U, 100U})
-    for (const double errors : errors_above_disc(Window::torus(unit_square), distances, torus,
+    for (const double errors : errors_above_disc(Window::torus(unit_square), law_distances, torus,
                                                  points, points == 2 ? 20000 : 400))
       EXPECT_LT(std::abs(errors), chance) << points << " points";
 }
@@ -41,12 +41,12 @@ TEST(RipleyKLaw, OnATorusTheMeanIsTheDisc) {
 TEST(RipleyKLaw, CorrectedMeanIsTheDiscInARectangle) {
   const Window plot = Window::rectangle({{0.0, 0.0}, {1.5, 0.8}});
   for (const EdgeCorrection correction : {translation, isotropic})
-    for (const double errors : errors_above_disc(plot, distances, correction, 60, 400))
+    for (const double errors : errors_above_disc(plot, law_distances, correction, 60, 400))
       EXPECT_LT(std::abs(errors), chance) << name_of(correction);
 }
 
 TEST(RipleyKLaw, CorrectedMeanIsTheDiscInAPolygon) {
-  for (const double errors : errors_above_disc(l_shape(), distances, isotropic, 60, 400))
+  for (const double errors : errors_above_disc(l_shape(), law_distances, isotropic, 60, 400))
     EXPECT_LT(std::abs(errors), chance);
 }
 
@@ -60,7 +60,7 @@ TEST(RipleyKLaw, BorderCorrectedMeanIsTheDisc) {
 // The laws above must be able to fail.
 TEST(RipleyKLaw, UncorrectedMeanIsFarBelow) {
   for (const Window& window : {Window::rectangle(unit_square), l_shape()}) {
-    const Values errors = errors_above_disc(window, distances, none, 100, 200);
+    const Values errors = errors_above_disc(window, law_distances, none, 100, 200);
     EXPECT_LT(errors.back(), -10.0 * chance);
     EXPECT_LT(errors[2], -chance);
   }
@@ -70,17 +70,18 @@ TEST(CrossRipleyKLaw, OfIndependentTypesIsTheDisc) {
   for (const Window& window :
        {Window::rectangle(unit_square), Window::torus(unit_square), l_shape()}) {
     const EdgeCorrection correction = usual_correction(window.kind());
-    std::vector<Sample> samples(distances.size());
+    std::vector<Sample> samples(law_distances.size());
     for (std::uint64_t run = 0; run < 300; ++run) {
       const Points first = clustered_points(window, 40, 0.1, run);
       const Points second = random_pattern(window, 70, 62, run);
-      const Values k = cross_ripley_k(first, second, window, distances, correction);
+      const Values k = cross_ripley_k(first, second, window, law_distances, correction);
       for (std::size_t i = 0; i < k.size(); ++i) samples[i].add(k[i]);
     }
-    for (std::size_t i = 0; i < distances.size(); ++i)
-      EXPECT_LT(std::abs(samples[i].errors_above(std::numbers::pi * distances[i] * distances[i])),
-                chance)
-          << name_of(window.kind()) << " " << distances[i];
+    for (std::size_t i = 0; i < law_distances.size(); ++i)
+      EXPECT_LT(
+          std::abs(samples[i].errors_above(std::numbers::pi * law_distances[i] * law_distances[i])),
+          chance)
+          << name_of(window.kind()) << " " << law_distances[i];
   }
 }
 
@@ -122,8 +123,8 @@ Window mapped(const Window& window, const auto& map) {
 void expect_similar(const Case& c, const auto& map, double factor, double tolerance) {
   const Points points = random_points(c.window, 200, 8);
   Values scaled;
-  for (const double distance : distances) scaled.push_back(factor * distance);
-  const Values k = ripley_k(points, c.window, distances, c.correction);
+  for (const double distance : law_distances) scaled.push_back(factor * distance);
+  const Values k = ripley_k(points, c.window, law_distances, c.correction);
   const Values image = ripley_k(mapped(points, map), mapped(c.window, map), scaled, c.correction);
   for (std::size_t i = 0; i < k.size(); ++i)
     EXPECT_NEAR(image[i], factor * factor * k[i], tolerance * factor * factor * k[i])

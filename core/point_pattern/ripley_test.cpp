@@ -15,7 +15,7 @@ using namespace test_patterns;
 using Values = std::vector<double>;
 using enum EdgeCorrection;
 
-constexpr double rounding = 1e-12;  // relative; sums of some thousand weights
+constexpr double weight_rounding = 1e-12;  // relative; sums of some thousand weights
 
 void expect_close(const Values& values, const Values& expected, const std::string& what) {
   ASSERT_EQ(values.size(), expected.size());
@@ -23,7 +23,8 @@ void expect_close(const Values& values, const Values& expected, const std::strin
     if (std::isnan(expected[k]))
       EXPECT_TRUE(std::isnan(values[k])) << what << ", distance " << k;
     else
-      EXPECT_NEAR(values[k], expected[k], rounding * std::abs(expected[k])) << what << ", " << k;
+      EXPECT_NEAR(values[k], expected[k], weight_rounding * std::abs(expected[k]))
+          << what << ", " << k;
   }
 }
 
@@ -58,12 +59,12 @@ Values k_by_double_loop(const Points& first, const Points& second, bool is_cross
   return values;
 }
 
-const std::vector<EdgeCorrection> all_corrections{none, border, translation, isotropic, torus};
+const std::vector<EdgeCorrection> all_edge_corrections{none, border, translation, isotropic, torus};
 
 TEST(RipleyKOracle, IsThatOfADoubleLoop) {
   const Values distances{0.0, 0.03, 0.1, 0.1000001, 0.2};
   for (const auto& [name, window, points] : assorted_patterns())
-    for (const EdgeCorrection correction : all_corrections)
+    for (const EdgeCorrection correction : all_edge_corrections)
       if (is_defined(correction, window.kind()))
         expect_close(ripley_k(points, window, distances, correction),
                      k_by_double_loop(points, points, false, window, distances, correction),
@@ -74,7 +75,7 @@ TEST(CrossRipleyKOracle, IsThatOfADoubleLoop) {
   const Values distances{0.0, 0.05, 0.15, 0.24};
   for (const Window& window :
        {Window::rectangle(unit_square), Window::torus(unit_square), l_shape()})
-    for (const EdgeCorrection correction : all_corrections) {
+    for (const EdgeCorrection correction : all_edge_corrections) {
       if (!is_defined(correction, window.kind())) continue;
       for (const std::size_t count : {0U, 1U, 100U}) {
         const Points first = random_points(window, count, 1), second = random_points(window, 60, 2);
@@ -93,7 +94,7 @@ TEST(RipleyK, OfASquareLatticeStepsExactlyAtItsDistances) {
   const Values k = ripley_k(lattice, Window::torus(lattice_box(12, 10)), distances, torus);
   const Values neighbours{0.0, 4.0, 4.0, 8.0, 12.0};
   for (std::size_t i = 0; i < k.size(); ++i)
-    EXPECT_NEAR(k[i], neighbours[i] * 120.0 / 119.0, rounding * 20.0);
+    EXPECT_NEAR(k[i], neighbours[i] * 120.0 / 119.0, weight_rounding * 20.0);
 }
 
 // A step of 0.1 is not exact in binary: differences straddle it, and all of them are decided by the

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -18,7 +19,13 @@ namespace phytobench::test_patterns {
 
 using Points = std::vector<Point2>;
 
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double standard_errors = 4.5;  // seeds are fixed: no test fails by chance later on
+inline constexpr double least_p = 1e-4;         // of a chi-square test: about four standard errors
+
 inline constexpr Rectangle unit_square{{0.0, 0.0}, {1.0, 1.0}};
+inline const Window unit_torus = Window::torus(unit_square);
+inline const Window unit_plot = Window::rectangle(unit_square);
 
 /// Area 3; the largest circle inside has radius 2 - sqrt(2).
 inline Window l_shape() {

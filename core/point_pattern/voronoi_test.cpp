@@ -104,9 +104,9 @@ TEST(Voronoi, CellsOfAPolygonStayInsideIt) {
 }
 
 TEST(VoronoiLaw, SimilarPatternsHaveSimilarCells) {
-  const Window torus = Window::torus({{0, 0}, {4, 3}});
-  const Points points = test_patterns::random_points(torus, 200, 3);
-  const double mean = empty_space_moments(points, torus).mean_distance;
+  const Window periodic_window = Window::torus({{0, 0}, {4, 3}});
+  const Points points = test_patterns::random_points(periodic_window, 200, 3);
+  const double mean = empty_space_moments(points, periodic_window).mean_distance;
   Points moved, turned;
   for (const Point2& p : points) {
     moved.push_back({0x1p-20 * p.x + 4, 0x1p-20 * p.y - 8});
@@ -119,14 +119,16 @@ TEST(VoronoiLaw, SimilarPatternsHaveSimilarCells) {
 }
 
 TEST(VoronoiLaw, ShiftsOnATorusAndThreadsChangeNothing) {
-  const Window torus = Window::torus(test_patterns::unit_square);
-  const Points points = test_patterns::clustered_points(torus, 5000, 0.1, 4);
-  const EmptySpaceMoments first = empty_space_moments(points, torus);
+  const Window periodic_window = Window::torus(test_patterns::unit_square);
+  const Points points = test_patterns::clustered_points(periodic_window, 5000, 0.1, 4);
+  const EmptySpaceMoments first = empty_space_moments(points, periodic_window);
   Points shifted;
-  for (const Point2& p : points) shifted.push_back(torus.wrapped({p.x + 0.375, p.y - 0.625}));
-  const EmptySpaceMoments second = empty_space_moments(shifted, torus);
+  for (const Point2& p : points)
+    shifted.push_back(periodic_window.wrapped({p.x + 0.375, p.y - 0.625}));
+  const EmptySpaceMoments second = empty_space_moments(shifted, periodic_window);
   EXPECT_NEAR(second.mean_distance / first.mean_distance, 1.0, 1e-12);
-  const auto one = voronoi_integrals(points, torus), three = voronoi_integrals(points, torus, 3);
+  const auto one = voronoi_integrals(points, periodic_window),
+             three = voronoi_integrals(points, periodic_window, 3);
   for (std::size_t i = 0; i < points.size(); ++i) {
     EXPECT_EQ(one[i].distance, three[i].distance);
     EXPECT_EQ(one[i].area, three[i].area);

@@ -9,14 +9,17 @@
 #include <gtest/gtest.h>
 
 #include "core/contract/errors.hpp"
+#include "core/point_pattern/test_patterns.hpp"
 #include "core/random/counter_stream.hpp"
 #include "core/statistics/chi_square.hpp"
 
 namespace phytobench {
 namespace {
 
-constexpr double rounding = 1e-14;
-constexpr double least_p = 1e-4;  // of a chi-square test: about four standard errors
+using test_patterns::infinity;
+using test_patterns::least_p;
+
+constexpr double difference_rounding = 1e-14;
 constexpr Rectangle oblong{{-1.0, 2.0}, {3.0, 5.0}};
 
 /// A 3 x 3 square with a notch that reaches from the top to a third of its height: area 7.
@@ -139,7 +142,6 @@ TEST(WindowPolygon, RefusesCornersThatMakeNone) {
 }
 
 TEST(Window, ExpectsSidesOfSomeLength) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const Rectangle& wrong : {Rectangle{{0, 0}, {0, 1}},
                                  {{0, 0}, {1, 0}},
                                  {{1, 1}, {0, 0}},
@@ -151,25 +153,25 @@ TEST(Window, ExpectsSidesOfSomeLength) {
 }
 
 TEST(WindowTorus, GoesTheShorterWay) {
-  const Window torus = Window::torus(oblong);  // 4 wide, 3 high
-  EXPECT_EQ(torus.difference({-0.5, 2.5}, {2.5, 4.5}), (Point2{-1.0, -1.0}));
-  EXPECT_EQ(torus.difference({0.0, 3.0}, {1.0, 4.0}), (Point2{1.0, 1.0}));
-  EXPECT_EQ(torus.difference({-1.0, 2.0}, {3.0, 5.0}), (Point2{0.0, 0.0}));
+  const Window periodic_window = Window::torus(oblong);  // 4 wide, 3 high
+  EXPECT_EQ(periodic_window.difference({-0.5, 2.5}, {2.5, 4.5}), (Point2{-1.0, -1.0}));
+  EXPECT_EQ(periodic_window.difference({0.0, 3.0}, {1.0, 4.0}), (Point2{1.0, 1.0}));
+  EXPECT_EQ(periodic_window.difference({-1.0, 2.0}, {3.0, 5.0}), (Point2{0.0, 0.0}));
   EXPECT_EQ(Window::rectangle(oblong).difference({-0.5, 2.5}, {2.5, 4.5}), (Point2{3.0, 2.0}));
 }
 
 TEST(WindowTorusLaw, DifferenceIsTheShortestOfAllImagesAndOdd) {
-  const Window torus = Window::torus(oblong);
+  const Window periodic_window = Window::torus(oblong);
   CounterStream stream(1, 0);
   for (int i = 0; i < 1000; ++i) {
-    const Point2 a = torus.random_point(stream), b = torus.random_point(stream);
-    const Point2 there = torus.difference(a, b), back = torus.difference(b, a);
+    const Point2 a = periodic_window.random_point(stream), b = periodic_window.random_point(stream);
+    const Point2 there = periodic_window.difference(a, b), back = periodic_window.difference(b, a);
     EXPECT_EQ(there, -1.0 * back);
     double shortest = std::numeric_limits<double>::max();
     for (const double x : {-4.0, 0.0, 4.0})
       for (const double y : {-3.0, 0.0, 3.0})
         shortest = std::min(shortest, norm(b - a + Point2{x, y}));
-    EXPECT_NEAR(norm(there), shortest, rounding);
+    EXPECT_NEAR(norm(there), shortest, difference_rounding);
   }
 }
 
