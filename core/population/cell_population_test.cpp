@@ -18,7 +18,7 @@ namespace {
 
 using namespace test_cells;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(CellPopulationLaw, UniformFieldsFollowTheMap) {
   for (const CellStep step : steps)

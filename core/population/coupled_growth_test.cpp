@@ -16,7 +16,7 @@ namespace {
 using Sizes = std::vector<double>;
 
 constexpr double asymmetries[] = {0.0, 0.5, 1.0, 1.5, 2.0, 3.0};
-constexpr double shapes[] = {0.5, 1.0, 2.0, 3.0};
+constexpr double coupled_shapes[] = {0.5, 1.0, 2.0, 3.0};
 
 Sizes grown(const CoupledGrowth& growth, const OverlapShares& shares, const Sizes& start,
             double time, std::size_t steps = 2000) {
@@ -26,7 +26,7 @@ Sizes grown(const CoupledGrowth& growth, const OverlapShares& shares, const Size
 }
 
 TEST(CoupledGrowthLaw, WithoutNeighboursIsRichardsLaw) {
-  for (const double shape : shapes) {
+  for (const double shape : coupled_shapes) {
     const Sizes sizes{0.3, 4.0, 9.0};
     const Sizes rates =
         coupled_growth_rates({0.1, 10.0, shape, 1.0}, OverlapShares::none(3), sizes);
@@ -36,7 +36,7 @@ TEST(CoupledGrowthLaw, WithoutNeighboursIsRichardsLaw) {
 }
 
 TEST(CoupledGrowthLaw, SharingEverythingNeutrallyTheSumIsOnePlant) {
-  for (const double shape : shapes) {
+  for (const double shape : coupled_shapes) {
     const Sizes start{0.5, 1.0, 1.5};
     const Sizes end = grown({0.1, 10.0, shape, 1.0}, OverlapShares::complete(3), start, 30.0);
     const double one = richards_size({0.1, 10.0, shape}, 3.0, 30.0);
@@ -46,7 +46,7 @@ TEST(CoupledGrowthLaw, SharingEverythingNeutrallyTheSumIsOnePlant) {
 }
 
 TEST(CoupledGrowthLaw, SharingEverythingKeepsDifferencesOfTheConservedScale) {
-  for (const double shape : shapes)
+  for (const double shape : coupled_shapes)
     for (const double a : asymmetries) {
       const Sizes start{1.0, 1.5, 2.0};
       const Sizes end = grown({0.05, 10.0, shape, a}, OverlapShares::complete(3), start, 20.0);
@@ -66,7 +66,7 @@ TEST(CoupledGrowthLaw, SharingEverythingKeepsDifferencesOfTheConservedScale) {
 // Factors before the bracket that are not 0 leave the bracket 0: the pressure of every plant is w.
 TEST(CoupledGrowthLaw, EndsWhereEveryPressureIsTheFinalSize) {
   const OverlapShares shares(3, {1.0, 0.3, 0.1, 0.2, 1.0, 0.4, 0.1, 0.3, 1.0});
-  for (const double shape : shapes)
+  for (const double shape : coupled_shapes)
     for (const double a : asymmetries) {
       const Sizes end = grown({0.1, 10.0, shape, a}, shares, {1.0, 1.5, 2.0}, 3000.0, 15'000);
       for (std::size_t i = 0; i < 3; ++i) {

@@ -20,7 +20,7 @@ using testing::Not;
 using testing::StartsWith;
 using Parameters = PopulationParameters;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinite_value = std::numeric_limits<double>::infinity();
 
 /// Two species that may live.
 Parameters sound() {
@@ -89,7 +89,7 @@ TEST(PopulationParameters, GroundIsARectangleOfAtMostAMillionMetres) {
   EXPECT_EQ(with_ground({{1e9 - 0.3, -1e9}, {1e9 - 0.3 + 1e6, -1e9 + 1e6}}), "none");
   for (const Rectangle& wrong :
        {Rectangle{{0, 0}, {0, 1}}, Rectangle{{0, 0}, {1, -1}}, Rectangle{{0, 0}, {1e6 + 1, 1}},
-        Rectangle{{0, 0}, {infinity, 1}}, Rectangle{{0, 0}, {1, std::nan("")}},
+        Rectangle{{0, 0}, {infinite_value, 1}}, Rectangle{{0, 0}, {1, std::nan("")}},
         Rectangle{{1e9, 0}, {1e9 + 1e-9, 1}}})
     EXPECT_THAT(with_ground(wrong), StartsWith("ground.size = "));
   EXPECT_THAT(with_ground({{2e9, 0.0}, {2e9 + 1, 1.0}}), StartsWith("ground.corner = 2000000000"));
@@ -106,10 +106,10 @@ TEST(PopulationParameters, NumbersBeyondTheirRangeAreInputErrorsThatNameTheKey) 
     if (range.whole)
       beyond = {range.low - 1.0, range.high + 1.0};
     else
-      beyond = {range.low - 0.5, range.high + 0.5, std::nan(""), -infinity};
+      beyond = {range.low - 0.5, range.high + 0.5, std::nan(""), -infinite_value};
     if (!range.low_is_allowed) beyond.push_back(range.low);
     if (!range.high_is_allowed) beyond.push_back(range.high);
-    if (!range.whole && !range.infinity_is_allowed) beyond.push_back(infinity);
+    if (!range.whole && !range.infinity_is_allowed) beyond.push_back(infinite_value);
     for (const double value : beyond) {
       PopulationFileValues values = file_values_of(sound());
       values.species = values.parameters.species[1];
@@ -163,7 +163,7 @@ TEST(PopulationParameters, SeedsNeedPlantsThatBearThem) {
     });
   };
   EXPECT_EQ(with_seeds(0.25, 0.001), "none");
-  for (const double threshold : {0.5, infinity})
+  for (const double threshold : {0.5, infinite_value})
     EXPECT_THAT(with_seeds(threshold, 0.001), HasSubstr("no plant would bear seeds"));
   EXPECT_THAT(with_seeds(0.25, 0.5), HasSubstr("species.reproduction.seedling_radius = 0.5 is not "
                                                "below species.largest_radius = 0.5"));
@@ -216,7 +216,7 @@ TEST(PopulationParameters, EventsStrikePlantsInExactlyOneWay) {
 TEST(PopulationParameters, EventsOutOfRangeAreInputErrors) {
   EXPECT_THAT(complaint_on_event({.step = -1, .largest = 1}), StartsWith("event.step = -1 is not"));
   EXPECT_THAT(complaint_on_event({.largest = -2}), StartsWith("event.largest = -2"));
-  for (const double share : {-0.1, 1.1, std::nan(""), infinity})
+  for (const double share : {-0.1, 1.1, std::nan(""), infinite_value})
     EXPECT_THAT(complaint_on_event({.share = share}), HasSubstr("is not allowed"));
   EXPECT_EQ(complaint_on_event({.species = SpeciesIndex{2}, .largest = 1}),
             "event.species is number 3 of 2 species");

@@ -17,7 +17,7 @@ using Values = PopulationFileValues;
 
 /// Radii of stems, m: below the lower one zones have no area that can be computed with.
 constexpr NumberRange stem_radius{.low = 1e-9, .high = 1000};
-constexpr NumberRange share{.high = 1};
+constexpr NumberRange share_range{.high = 1};
 constexpr NumberRange zone_factor{.high = 1e6, .low_is_allowed = false};
 constexpr NumberRange zone_exponent{.high = 3};
 constexpr double most_steps = 1e9;
@@ -199,19 +199,19 @@ Keys seed_keys() {
       {"species.reproduction.seed_mortality", "share", "0.0",
        "share pi of all seeds that dies in a step", "[Alsweis] sec. 4.6",
        number(
-           share, [](auto& v) -> auto& { return v.species.reproduction.seed_mortality; })},
+           share_range, [](auto& v) -> auto& { return v.species.reproduction.seed_mortality; })},
       {"species.reproduction.dormant_share", "share", "0.0",
        "share sigma of fresh seeds that rests in the soil", "[Alsweis] sec. 4.6",
        number(
-           share, [](auto& v) -> auto& { return v.species.reproduction.dormant_share; })},
+           share_range, [](auto& v) -> auto& { return v.species.reproduction.dormant_share; })},
       {"species.reproduction.germination_rate", "share", "0.0",
        "share gamma of resting seeds that germinates in a step", "[Alsweis] sec. 4.6",
        number(
-           share, [](auto& v) -> auto& { return v.species.reproduction.germination_rate; })},
+           share_range, [](auto& v) -> auto& { return v.species.reproduction.germination_rate; })},
       {"species.reproduction.establishment", "share", "1.0",
        "share p of germinating seeds that becomes plants", "[Alsweis] (4.9)",
        number(
-           share, [](auto& v) -> auto& { return v.species.reproduction.establishment; })},
+           share_range, [](auto& v) -> auto& { return v.species.reproduction.establishment; })},
       {"species.reproduction.seedling_radius", "m", "0.001", "stem radius of a new plant",
        "phytobench",
        number(

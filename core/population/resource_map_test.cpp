@@ -20,11 +20,11 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const Rectangle ground{{100.0, -20.0}, {400.0, 180.0}};
+const Rectangle map_ground{{100.0, -20.0}, {400.0, 180.0}};
 
 /// Three columns, two rows: 0.1 0.2 0.3 above 0.4 0.5 0.6.
 ResourceMap small_map() {
-  return {3, 2, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}, ground};
+  return {3, 2, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}, map_ground};
 }
 
 TEST(ResourceMap, IsRichEverywhereUnlessGiven) {
@@ -54,8 +54,8 @@ TEST(ResourceMap, CellsMeetInTheMiddle) {
 
 TEST(ResourceMap, BordersAndPlacesBeyondBelongToTheNearestCell) {
   const ResourceMap map = small_map();
-  EXPECT_EQ(map.at(ground.low), 0.4);
-  EXPECT_EQ(map.at(ground.high), 0.3);
+  EXPECT_EQ(map.at(map_ground.low), 0.4);
+  EXPECT_EQ(map.at(map_ground.high), 0.3);
   EXPECT_EQ(map.at({-1e300, 1e300}), 0.1);
   EXPECT_EQ(map.at({1e300, -1e300}), 0.6);
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -69,8 +69,8 @@ TEST(ResourceMapLaw, MeanOverTheGroundIsTheMeanOfTheCells) {
   constexpr int across = 60, along = 40;
   for (int i = 0; i < across; ++i)
     for (int j = 0; j < along; ++j)
-      sum += map.at({ground.low.x + (i + 0.5) / across * ground.width(),
-                     ground.low.y + (j + 0.5) / along * ground.height()});
+      sum += map.at({map_ground.low.x + (i + 0.5) / across * map_ground.width(),
+                     map_ground.low.y + (j + 0.5) / along * map_ground.height()});
   EXPECT_NEAR(sum / (across * along), 0.35, 1e-12);
 }
 
@@ -78,13 +78,13 @@ TEST(ResourceMap, WrongSizesAndValuesBreakTheContract) {
   const auto made = [](int columns, int rows, std::vector<double> values, Rectangle where) {
     ResourceMap(columns, rows, std::move(values), where);
   };
-  EXPECT_NO_THROW(made(2, 1, {0.0, 1.0}, ground));
-  EXPECT_THROW(made(2, 2, {0.0, 1.0}, ground), ContractViolation);
-  EXPECT_THROW(made(0, 0, {}, ground), ContractViolation);
-  EXPECT_THROW(made(-1, -2, {0.0, 1.0}, ground), ContractViolation);
-  EXPECT_THROW(made(2, 1, {0.0, 1.1}, ground), ContractViolation);
-  EXPECT_THROW(made(2, 1, {-0.1, 1.0}, ground), ContractViolation);
-  EXPECT_THROW(made(2, 1, {std::nan(""), 1.0}, ground), ContractViolation);
+  EXPECT_NO_THROW(made(2, 1, {0.0, 1.0}, map_ground));
+  EXPECT_THROW(made(2, 2, {0.0, 1.0}, map_ground), ContractViolation);
+  EXPECT_THROW(made(0, 0, {}, map_ground), ContractViolation);
+  EXPECT_THROW(made(-1, -2, {0.0, 1.0}, map_ground), ContractViolation);
+  EXPECT_THROW(made(2, 1, {0.0, 1.1}, map_ground), ContractViolation);
+  EXPECT_THROW(made(2, 1, {-0.1, 1.0}, map_ground), ContractViolation);
+  EXPECT_THROW(made(2, 1, {std::nan(""), 1.0}, map_ground), ContractViolation);
   EXPECT_THROW(made(2, 1, {0.0, 1.0}, Rectangle{{0, 0}, {0, 1}}), ContractViolation);
 }
 
@@ -126,7 +126,7 @@ TEST_F(ResourceMapFile, IsTheMeanOfTheColoursWhateverTheOpacity) {
   image.at(0, 1) = {255, 0, 0, 255};
   image.at(1, 1) = {1, 1, 2, 255};
   write_file_atomically(file_, to_png(image));
-  const ResourceMap map = read_resource_map(file_, ground);
+  const ResourceMap map = read_resource_map(file_, map_ground);
   EXPECT_EQ(map.columns(), 3);
   EXPECT_EQ(map.rows(), 2);
   EXPECT_EQ(map.values()[0], 0.0);
@@ -153,11 +153,11 @@ TEST_F(ResourceMapFile, ProportionsMustBeThoseOfTheGroundToOnePixel) {
 }
 
 TEST_F(ResourceMapFile, WhatIsNoPictureIsAnInputErrorThatNamesIt) {
-  EXPECT_THAT(complaint(ground), StartsWith(file_.string() + ": no such file"));
+  EXPECT_THAT(complaint(map_ground), StartsWith(file_.string() + ": no such file"));
   for (const std::string& bytes : {std::string(), std::string("GIF89a"), std::string(100, 'x'),
                                    to_png(Image(9, 6)).substr(0, 40)}) {
     write_file_atomically(file_, bytes);
-    EXPECT_THAT(complaint(ground), StartsWith(file_.string() + ": is no PNG picture"));
+    EXPECT_THAT(complaint(map_ground), StartsWith(file_.string() + ": is no PNG picture"));
   }
 }
 
@@ -171,10 +171,11 @@ TEST_F(ResourceMapFile, TooManyPixelsAreRefusedBeforeTheyAreUnpacked) {
     write_file_atomically(file_, bytes);
   };
   with_size(0x0f, 0xa1);  // 4001 x 4001
-  EXPECT_THAT(complaint(ground), StartsWith(file_.string() + ": has 4001 x 4001 pixels; a map has "
-                                                             "at most 16000000"));
+  EXPECT_THAT(complaint(map_ground),
+              StartsWith(file_.string() + ": has 4001 x 4001 pixels; a map has "
+                                          "at most 16000000"));
   with_size(0x0f, 0xa0);  // 4000 x 4000 are allowed, but not there
-  EXPECT_THAT(complaint(ground), HasSubstr("is no PNG picture"));
+  EXPECT_THAT(complaint(map_ground), HasSubstr("is no PNG picture"));
 }
 
 }  // namespace

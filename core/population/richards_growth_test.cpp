@@ -13,7 +13,7 @@
 namespace phytobench {
 namespace {
 
-constexpr double shapes[] = {-1.0, 0.0, 0.5, 2.0 / 3.0, 1.0, 1.5, 2.0, 3.0, 5.0};
+constexpr double richards_shapes[] = {-1.0, 0.0, 0.5, 2.0 / 3.0, 1.0, 1.5, 2.0, 3.0, 5.0};
 
 /// The printed form, for shapes other than 1.
 double printed_rate(const RichardsGrowth& growth, double v) {
@@ -39,7 +39,7 @@ TEST(RichardsRate, IsLogisticMonomolecularAndGompertzianWhereItShouldBe) {
 }
 
 TEST(RichardsRateLaw, VanishesAtTheFinalSizeAndFallsThereWithRateK) {
-  for (const double shape : shapes) {
+  for (const double shape : richards_shapes) {
     const RichardsGrowth growth{0.1, 10.0, shape};
     EXPECT_EQ(richards_rate(growth, 10.0), 0.0);
     const double h = 1e-6;
@@ -76,7 +76,7 @@ TEST(RichardsSize, IsTheClosedFormOfThePrintedLaw) {
 
 TEST(RichardsSizeLaw, StartsAtTheStartAndEndsAtTheFinalSize) {
   const double infinity = std::numeric_limits<double>::infinity();
-  for (const double shape : shapes)
+  for (const double shape : richards_shapes)
     for (const double start : {1e-30, 1e-3, 1.0, 9.999999, 10.0, 30.0}) {
       const RichardsGrowth growth{0.1, 10.0, shape};
       EXPECT_NEAR(richards_size(growth, start, 0.0) / start, 1.0, 4e-14) << shape;
@@ -85,7 +85,7 @@ TEST(RichardsSizeLaw, StartsAtTheStartAndEndsAtTheFinalSize) {
 }
 
 TEST(RichardsSizeLaw, TwoTimesInARowAreTheirSum) {
-  for (const double shape : shapes)
+  for (const double shape : richards_shapes)
     for (const double start : {1e-6, 0.5, 9.0, 15.0}) {
       const RichardsGrowth growth{0.1, 10.0, shape};
       const double twice = richards_size(growth, richards_size(growth, start, 7.0), 13.0);
@@ -94,7 +94,7 @@ TEST(RichardsSizeLaw, TwoTimesInARowAreTheirSum) {
 }
 
 TEST(RichardsSizeLaw, ItsSlopeIsTheRate) {
-  for (const double shape : shapes) {
+  for (const double shape : richards_shapes) {
     const RichardsGrowth growth{0.1, 10.0, shape};
     const double h = 1e-4, size = richards_size(growth, 1.0, 8.0);
     const double slope =
@@ -104,7 +104,7 @@ TEST(RichardsSizeLaw, ItsSlopeIsTheRate) {
 }
 
 TEST(RichardsSizeLaw, UnitsOfSizeAndTimeCancel) {
-  for (const double shape : shapes) {
+  for (const double shape : richards_shapes) {
     const double plain = richards_size({0.1, 10.0, shape}, 1.0, 20.0);
     EXPECT_NEAR(richards_size({0.1, 1e5, shape}, 1e4, 20.0), 1e4 * plain, 1e4 * plain * 1e-14);
     EXPECT_NEAR(richards_size({0.1 / 365.0, 10.0, shape}, 1.0, 7300.0), plain, plain * 1e-13);
@@ -137,7 +137,7 @@ TEST(RichardsSizeLaw, NearsGompertzLawInProportionToTheShapesDistance) {
 }
 
 TEST(RichardsSizeLaw, AConstantCompetitionFactorSlowsTheClock) {
-  for (const double shape : shapes) {
+  for (const double shape : richards_shapes) {
     const RichardsGrowth growth{0.1, 10.0, shape};
     const double factor = 0.35;
     const auto pressed = [&](double v) { return factor * richards_rate(growth, v); };

@@ -21,7 +21,8 @@ constexpr const char* poorest = "#cccccc";   // haze at its darkest on it
 constexpr double darkest = 0.4;              // opacity of haze: plants must stand out from it
 constexpr const char* ill_style =
     "fill=\"none\" stroke=\"currentColor\" stroke-width=\"1.2\" stroke-dasharray=\"2.4 1.6\"";
-constexpr double map_side = 640.0, narrowest = 360.0, margin = 8.0, row_height = 20.0;  // pixels
+constexpr double map_side = 640.0, narrowest = 360.0, picture_margin = 8.0,
+                 row_height = 20.0;  // pixels
 
 /// 1, 2 or 5 times a power of ten, the largest that is no longer than this.
 double round_length(double longest) {
@@ -40,16 +41,16 @@ class StandSvg {
         order_(order_of_ids(view.stand)) {}
 
   std::string drawn(const std::string& title) {
-    constexpr double top = margin + row_height;
-    const double width = std::max(narrowest, scale_ * ground().width()) + 2.0 * margin;
-    std::string body = svg_text(margin, margin + 0.6 * row_height, "start", title);
-    body += fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{:.2f}\" height=\"{:.2f}\">\n", margin, top,
-                        scale_ * ground().width(), scale_ * ground().height());
+    constexpr double top = picture_margin + row_height;
+    const double width = std::max(narrowest, scale_ * ground().width()) + 2.0 * picture_margin;
+    std::string body = svg_text(picture_margin, picture_margin + 0.6 * row_height, "start", title);
+    body += fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{:.2f}\" height=\"{:.2f}\">\n",
+                        picture_margin, top, scale_ * ground().width(), scale_ * ground().height());
     body += background() + zones() + crowns() + stems() + illness() + "</svg>\n";
     body += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"none\" "
         "stroke=\"currentColor\" stroke-opacity=\".5\"/>\n",
-        margin, top, scale_ * ground().width(), scale_ * ground().height());
+        picture_margin, top, scale_ * ground().width(), scale_ * ground().height());
     double bottom = top + scale_ * ground().height() + row_height;
     body += length_bar(bottom);
     body += legend(width, bottom);
@@ -57,7 +58,7 @@ class StandSvg {
                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.2f} {:.2f}\" "
                "role=\"img\" font-family=\"sans-serif\" font-size=\"13\" fill=\"currentColor\">\n"
                "<title>{}</title>\n",
-               width, bottom + margin, escaped_for_svg(title)) +
+               width, bottom + picture_margin, escaped_for_svg(title)) +
            body + "</svg>\n";
   }
 
@@ -168,20 +169,21 @@ class StandSvg {
     const double length = round_length(0.3 * ground().width());
     return fmt::format(
                "<path d=\"M{} {:.2f}v6h{:.2f}v-6\" fill=\"none\" stroke=\"currentColor\"/>\n",
-               margin, y - 10.0, scale_ * length) +
-           svg_text(margin + scale_ * length + 6.0, y, "start", fmt::format("{:g} m", length));
+               picture_margin, y - 10.0, scale_ * length) +
+           svg_text(picture_margin + scale_ * length + 6.0, y, "start",
+                    fmt::format("{:g} m", length));
   }
 
   /// Below `y`, which moves on to the last row.
   std::string legend(double width, double& y) const {
     constexpr double letter = 7.8;
     std::string text;
-    double x = margin;
+    double x = picture_margin;
     y += row_height;
     const auto entry = [&](const std::string& mark, const std::string& words) {
       const double length = 18.0 + letter * static_cast<double>(words.size());
-      if (x > margin && x + length > width) {
-        x = margin;
+      if (x > picture_margin && x + length > width) {
+        x = picture_margin;
         y += row_height;
       }
       text +=

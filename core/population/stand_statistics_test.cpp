@@ -14,7 +14,7 @@ namespace {
 
 using namespace testing_populations;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Stand stand_of(const std::vector<double>& radii, const std::vector<SpeciesIndex>& species) {
   Stand stand;

@@ -8,10 +8,10 @@ namespace phytobench {
 
 namespace {
 
-constexpr std::string_view key = ",\"sha256\":\"";
-constexpr std::string_view end = "\"}";
+constexpr std::string_view seal_key = ",\"sha256\":\"";
+constexpr std::string_view seal_end = "\"}";
 constexpr std::size_t digits = 64;
-constexpr std::size_t tail = key.size() + digits + end.size();
+constexpr std::size_t tail = seal_key.size() + digits + seal_end.size();
 
 }  // namespace
 
@@ -19,16 +19,16 @@ std::string DigestChain::sealed(std::string_view lines, std::string_view object)
   PHYTOBENCH_EXPECT(object.size() > 2 && object.front() == '{' && object.back() == '}');
   const std::string_view open = object.substr(0, object.size() - 1);
   seal_ = sha256_hex(seal_ + std::string(lines) + std::string(open));
-  return std::string(open) + std::string(key) + seal_ + std::string(end);
+  return std::string(open) + std::string(seal_key) + seal_ + std::string(seal_end);
 }
 
 bool DigestChain::accept(std::string_view section) {
-  if (section.size() < tail || !section.ends_with(end)) return false;
+  if (section.size() < tail || !section.ends_with(seal_end)) return false;
   const std::string_view covered = section.substr(0, section.size() - tail);
   const std::string_view rest = section.substr(covered.size());
-  if (!rest.starts_with(key)) return false;
+  if (!rest.starts_with(seal_key)) return false;
   std::string expected = sha256_hex(seal_ + std::string(covered));
-  if (rest.substr(key.size(), digits) != expected) return false;
+  if (rest.substr(seal_key.size(), digits) != expected) return false;
   seal_ = std::move(expected);
   return true;
 }

@@ -16,15 +16,13 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* remedy = "run the experiment again";
-
 /// Part of a JSON file and where it is: "figure-4.5.plot.json: panels[0].x".
 struct Part {
   const ordered_json& json;
   std::string where;
 
   [[noreturn]] void refuse(const std::string& what) const {
-    throw InputError(fmt::format("{} {}; {}", where, what, remedy));
+    throw InputError(fmt::format("{} {}; {}", where, what, plot_remedy));
   }
 
   void expect_keys(std::initializer_list<std::string_view> known) const {
@@ -115,7 +113,7 @@ ordered_json parsed_json(const std::string& text, const std::string& name) {
   } catch (const ordered_json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     throw InputError(fmt::format("{}:{}: is no JSON; {}", name,
-                                 1 + std::count(text.begin(), end, '\n'), remedy));
+                                 1 + std::count(text.begin(), end, '\n'), plot_remedy));
   }
 }
 
@@ -126,7 +124,7 @@ PlotData parse_plot(const std::string& json, const std::string& json_name, const
   PlotData plot = read_description(parsed_json(json, json_name), json_name);
   read_plot_points(plot, csv, csv_name);
   if (const std::string problem = plot_problem(plot); !problem.empty())
-    throw InputError(fmt::format("{}, {}: {}; {}", json_name, csv_name, problem, remedy));
+    throw InputError(fmt::format("{}, {}: {}; {}", json_name, csv_name, problem, plot_remedy));
   return plot;
 }
 

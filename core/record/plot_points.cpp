@@ -16,7 +16,6 @@ namespace phytobench {
 namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
-constexpr const char* remedy = "run the experiment again";
 
 /// Reads the points of a plot line by line.
 class PointReader {
@@ -40,7 +39,7 @@ class PointReader {
 
  private:
   [[noreturn]] void refuse(const std::string& what) const {
-    throw InputError(fmt::format("{}:{}: {}; {}", name_, std::max(line_, 1), what, remedy));
+    throw InputError(fmt::format("{}:{}: {}; {}", name_, std::max(line_, 1), what, plot_remedy));
   }
 
   void read_header(std::string_view row) {

@@ -9,6 +9,9 @@
 
 namespace phytobench {
 
+/// Files of plots are written by experiments alone.
+inline constexpr const char* plot_remedy = "run the experiment again";
+
 /// Adds the points of a CSV file to the curves that they name. Throws InputError with file and
 /// line.
 void read_plot_points(PlotData& plot, std::string_view csv, const std::string& name);

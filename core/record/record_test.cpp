@@ -16,20 +16,20 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Record record_of(RecordValue value) {
+Record record_with(RecordValue value) {
   return {.experiment = "p/e", .measurement = "p/e/m", .value = std::move(value)};
 }
 
 TEST(RecordLine, HoldsWholeNumbersAsTheyAre) {
-  EXPECT_EQ(to_json_line(record_of(std::int64_t{3})),
+  EXPECT_EQ(to_json_line(record_with(std::int64_t{3})),
             R"({"experiment":"p/e","measurement":"p/e/m","value":3,"unit":"1","n":1})");
-  EXPECT_THAT(to_json_line(record_of(std::numeric_limits<std::int64_t>::min())),
+  EXPECT_THAT(to_json_line(record_with(std::numeric_limits<std::int64_t>::min())),
               testing::HasSubstr(R"("value":-9223372036854775808,)"));
 }
 
 TEST(RecordLine, ShowsThatANumberIsNoWholeOne) {
-  EXPECT_THAT(to_json_line(record_of(3.0)), testing::HasSubstr(R"("value":3.0,)"));
-  EXPECT_THAT(to_json_line(record_of(0.1)), testing::HasSubstr(R"("value":0.1,)"));
+  EXPECT_THAT(to_json_line(record_with(3.0)), testing::HasSubstr(R"("value":3.0,)"));
+  EXPECT_THAT(to_json_line(record_with(0.1)), testing::HasSubstr(R"("value":0.1,)"));
 }
 
 TEST(RecordLine, HoldsUnitSampleSizeSpreadAndSeed) {
@@ -46,15 +46,15 @@ TEST(RecordLine, HoldsUnitSampleSizeSpreadAndSeed) {
 }
 
 TEST(RecordLine, IsOneLineWhateverTheText) {
-  const std::string line = to_json_line(record_of(std::string("two\nlines \"quoted\"")));
+  const std::string line = to_json_line(record_with(std::string("two\nlines \"quoted\"")));
   EXPECT_EQ(line.find('\n'), std::string::npos);
   EXPECT_THAT(line, testing::HasSubstr(R"("value":"two\nlines \"quoted\"")"));
 }
 
 TEST(RecordLine, RefusesWhatIsNotFinite) {
   for (const double value : {not_a_number, infinity, -infinity}) {
-    EXPECT_THROW(to_json_line(record_of(value)), ContractViolation) << value;
-    Record record = record_of(1.0);
+    EXPECT_THROW(to_json_line(record_with(value)), ContractViolation) << value;
+    Record record = record_with(1.0);
     record.spread = value;
     EXPECT_THROW(to_json_line(record), ContractViolation) << value;
   }

@@ -15,19 +15,20 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::string_view schema = "phytobench/records-2";
+constexpr std::string_view records_schema = "phytobench/records-2";
 constexpr std::string_view any_version = "phytobench/records-";
 
 RunHeader header_from(const ordered_json& line) {
   const std::string found =
       line.contains("schema") && line["schema"].is_string() ? line["schema"] : ordered_json("");
-  if (found != schema && found.starts_with(any_version))
+  if (found != records_schema && found.starts_with(any_version))
     throw InputError("this run has the schema " + found +
                      " of another version of phytobench, this version reads " +
-                     std::string(schema) + "; run the experiments again");
-  if (found != schema)
+                     std::string(records_schema) + "; run the experiments again");
+  if (found != records_schema)
     throw InputError("not a run of this suite: the first line must name the schema " +
-                     std::string(schema) + "; give a folder that phytobench run --out has made");
+                     std::string(records_schema) +
+                     "; give a folder that phytobench run --out has made");
   return {tier_named(line.at("tier").get<std::string>()), line.at("seed").get<std::uint64_t>()};
 }
 
@@ -85,7 +86,7 @@ class RecordsCollector {
 
 std::string records_header(const RunHeader& header) {
   ordered_json line;
-  line["schema"] = schema;
+  line["schema"] = records_schema;
   line["tier"] = name_of(header.tier);
   line["seed"] = header.seed;
   return line.dump();

@@ -15,11 +15,11 @@ using testing::StartsWith;
 const std::string quick_header = records_header(quick_seven);
 
 /// What reading says about a file of that text.
-std::string complaint(const std::string& text) {
+std::string records_complaint(const std::string& text) {
   return input_error([&] { parse_records("run/records.jsonl", text); });
 }
 
-std::string at(int line) {
+std::string records_place(int line) {
   return "run/records.jsonl:" + std::to_string(line) + ": ";
 }
 
@@ -64,8 +64,9 @@ TEST(RecordsFile, LeavesOutWhatIsUnfinishedWhereverItBreaksOff) {
 TEST(RecordsFile, DamagedLastLineIsNotTakenForAnUnfinishedOne) {
   std::string text = SealedText(quick_header).add("", records_completion("p/one", 0)).text();
   text.back() = 'x';  // was its line end
-  EXPECT_THAT(complaint(text), StartsWith(at(2) + "damaged line"));
-  EXPECT_THAT(complaint(SealedText(quick_header).text() + "3"), StartsWith(at(2) + "damaged line"));
+  EXPECT_THAT(records_complaint(text), StartsWith(records_place(2) + "damaged line"));
+  EXPECT_THAT(records_complaint(SealedText(quick_header).text() + "3"),
+              StartsWith(records_place(2) + "damaged line"));
 }
 
 TEST(RecordsFile, DamageIsToldInPrintableLetters) {
@@ -77,22 +78,24 @@ TEST(RecordsFile, DamageIsToldInPrintableLetters) {
        {std::string("{\"\xff\xfe\x1b[31m\": 1}\n"), std::string("\x1b\xc3\n"),
         SealedText(quick_header).add("", control).text(),
         SealedText(R"({"schema":"phytobench/records-\u001b\u00e4","tier":"quick"})").text()}) {
-    EXPECT_TRUE(is_printable(complaint(text))) << complaint(text);
-    EXPECT_THAT(complaint(text), StartsWith("run/records.jsonl:"));
+    EXPECT_TRUE(is_printable(records_complaint(text))) << records_complaint(text);
+    EXPECT_THAT(records_complaint(text), StartsWith("run/records.jsonl:"));
   }
-  EXPECT_THAT(complaint("{\"a\": \xff}\n"),
-              StartsWith(at(1) + "damaged line (no JSON from its byte 7 on); "));
+  EXPECT_THAT(records_complaint("{\"a\": \xff}\n"),
+              StartsWith(records_place(1) + "damaged line (no JSON from its byte 7 on); "));
 }
 
 TEST(RecordsFile, ForeignSchemaIsAnInputErrorInTheFirstLine) {
   for (const char* first :
        {R"({"tier":"quick","seed":7})", R"({"schema":"other/1","tier":"quick"})",
         R"({"schema":3,"tier":"quick","seed":7})", "[]", "3", "{}"}) {
-    EXPECT_THAT(complaint(std::string(first) + "\n"), StartsWith(at(1) + "not a run of this suite"))
+    EXPECT_THAT(records_complaint(std::string(first) + "\n"),
+                StartsWith(records_place(1) + "not a run of this suite"))
         << first;
-    EXPECT_THAT(complaint(std::string(first) + "\n"), HasSubstr("phytobench/records-2")) << first;
+    EXPECT_THAT(records_complaint(std::string(first) + "\n"), HasSubstr("phytobench/records-2"))
+        << first;
   }
-  EXPECT_THAT(complaint("hello\n"), StartsWith(at(1) + "damaged line"));
+  EXPECT_THAT(records_complaint("hello\n"), StartsWith(records_place(1) + "damaged line"));
 }
 
 TEST(RecordsFile, SchemaOfAnotherVersionIsSaidToBeOne) {
@@ -100,36 +103,40 @@ TEST(RecordsFile, SchemaOfAnotherVersionIsSaidToBeOne) {
   const std::string newer = R"({"schema":"phytobench/records-3","tier":"quick","seed":7})";
   for (const std::string& text :
        {older + "\n", older + "\n" + record_line("p/one", "a"), SealedText(newer).text()}) {
-    EXPECT_THAT(complaint(text), StartsWith(at(1) + "this run has the schema phytobench/records-"));
-    EXPECT_THAT(complaint(text), HasSubstr("another version"));
-    EXPECT_THAT(complaint(text), HasSubstr("phytobench/records-2; run the experiments again"));
+    EXPECT_THAT(records_complaint(text),
+                StartsWith(records_place(1) + "this run has the schema phytobench/records-"));
+    EXPECT_THAT(records_complaint(text), HasSubstr("another version"));
+    EXPECT_THAT(records_complaint(text),
+                HasSubstr("phytobench/records-2; run the experiments again"));
   }
 }
 
 TEST(RecordsFile, HeaderWithoutTierSeedOrSealIsAnInputErrorInTheFirstLine) {
-  EXPECT_THAT(complaint(quick_header + "\n"), StartsWith(at(1) + "the first line has lost"));
+  EXPECT_THAT(records_complaint(quick_header + "\n"),
+              StartsWith(records_place(1) + "the first line has lost"));
   for (const char* first : {R"({"schema":"phytobench/records-2","tier":"quick"})",
                             R"({"schema":"phytobench/records-2","seed":7})",
                             R"({"schema":"phytobench/records-2","tier":"slow","seed":7})",
                             R"({"schema":"phytobench/records-2","tier":3,"seed":7})",
                             R"({"schema":"phytobench/records-2","tier":"quick","seed":"7"})"})
-    EXPECT_THAT(complaint(SealedText(first).text()), StartsWith(at(1))) << first;
+    EXPECT_THAT(records_complaint(SealedText(first).text()), StartsWith(records_place(1))) << first;
 }
 
 TEST(RecordsFile, EmptyFileIsAnInputError) {
-  EXPECT_THAT(complaint(""), StartsWith(at(1) + "is empty"));
-  EXPECT_THAT(complaint(quick_header), StartsWith(at(1) + "is empty")) << "was being written";
+  EXPECT_THAT(records_complaint(""), StartsWith(records_place(1) + "is empty"));
+  EXPECT_THAT(records_complaint(quick_header), StartsWith(records_place(1) + "is empty"))
+      << "was being written";
 }
 
 TEST(RecordsFile, BrokenLineIsAnInputErrorAtThatLine) {
   for (const char* broken : {"{broken\n", "\n", "[]\n", "3\n", "{}\n",
                              R"({"experiment":"p/one"})"
                              "\n"})
-    EXPECT_THAT(
-        complaint(SealedText(quick_header)
-                      .add(record_line("p/one", "a") + broken, records_completion("p/one", 1))
-                      .text()),
-        StartsWith(at(3)))
+    EXPECT_THAT(records_complaint(
+                    SealedText(quick_header)
+                        .add(record_line("p/one", "a") + broken, records_completion("p/one", 1))
+                        .text()),
+                StartsWith(records_place(3)))
         << broken;
 }
 
@@ -137,8 +144,8 @@ TEST(RecordsFile, ValueThatIsNeitherNumberNorTextIsAnInputErrorAtItsLine) {
   for (const char* value : {"null", "true", "[1]", "{}"}) {
     const std::string line = R"({"experiment":"p/one","measurement":"p/one/m","value":)" +
                              std::string(value) + R"(,"unit":"1","n":1})" + "\n";
-    const std::string message = complaint(SealedText(quick_header).text() + line);
-    EXPECT_THAT(message, StartsWith(at(2))) << value;
+    const std::string message = records_complaint(SealedText(quick_header).text() + line);
+    EXPECT_THAT(message, StartsWith(records_place(2))) << value;
     EXPECT_THAT(message, HasSubstr("neither number nor text")) << value;
   }
 }
@@ -148,29 +155,31 @@ TEST(RecordsFile, ContradictionIsAnInputErrorAtItsLine) {
   const std::string one = record_line("p/one", "a");
   SealedText twice(quick_header);
   twice.add(one + one, records_completion("p/one", 2));
-  EXPECT_THAT(complaint(twice.text()),
-              StartsWith(at(4) + "measurement 'p/one/a' stands here twice"));
+  EXPECT_THAT(records_complaint(twice.text()),
+              StartsWith(records_place(4) + "measurement 'p/one/a' stands here twice"));
 
   Record foreign = record_of("p/two", "a", std::int64_t{1});
   foreign.measurement = "p/one/a";
   SealedText elsewhere(quick_header);
   elsewhere.add(one, records_completion("p/one", 1));
   elsewhere.add(to_json_line(foreign) + "\n", records_completion("p/two", 1));
-  EXPECT_THAT(complaint(elsewhere.text()),
-              StartsWith(at(5) + "measurement 'p/one/a' stands here twice"));
+  EXPECT_THAT(records_complaint(elsewhere.text()),
+              StartsWith(records_place(5) + "measurement 'p/one/a' stands here twice"));
 
   for (const std::size_t number : {0u, 2u})
-    EXPECT_THAT(
-        complaint(SealedText(quick_header).add(one, records_completion("p/one", number)).text()),
-        StartsWith(at(3) + "experiment 'p/one' lost or gained records"));
+    EXPECT_THAT(records_complaint(
+                    SealedText(quick_header).add(one, records_completion("p/one", number)).text()),
+                StartsWith(records_place(3) + "experiment 'p/one' lost or gained records"));
 
   SealedText again(quick_header);
   again.add(one, records_completion("p/one", 1));
   again.add(record_line("p/one", "b"), records_completion("p/one", 1));
-  EXPECT_THAT(complaint(again.text()), StartsWith(at(5) + "experiment 'p/one' stands here twice"));
+  EXPECT_THAT(records_complaint(again.text()),
+              StartsWith(records_place(5) + "experiment 'p/one' stands here twice"));
 
-  EXPECT_THAT(complaint(SealedText(quick_header).add(one, records_completion("p/two", 1)).text()),
-              StartsWith(at(3) + "a record of 'p/one' stands in 'p/two'"));
+  EXPECT_THAT(
+      records_complaint(SealedText(quick_header).add(one, records_completion("p/two", 1)).text()),
+      StartsWith(records_place(3) + "a record of 'p/one' stands in 'p/two'"));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr const char* schema = "phytobench/timings-2";
+constexpr const char* timings_schema = "phytobench/timings-2";
 
 /// Collects the lines of an experiment until one says that it is complete.
 class TimingsCollector {
@@ -45,12 +45,12 @@ class TimingsCollector {
 
  private:
   [[noreturn]] static void refuse_header() {
-    throw InputError(std::string("the first line must name the schema ") + schema +
+    throw InputError(std::string("the first line must name the schema ") + timings_schema +
                      "; run the experiments again");
   }
 
   void begin(const ordered_json& line) {
-    if (!line.contains("schema") || line.at("schema") != schema) refuse_header();
+    if (!line.contains("schema") || line.at("schema") != timings_schema) refuse_header();
     has_header_ = true;
   }
 
@@ -84,7 +84,7 @@ class TimingsCollector {
 }  // namespace
 
 std::string timings_header() {
-  return ordered_json{{"schema", schema}}.dump();
+  return ordered_json{{"schema", timings_schema}}.dump();
 }
 
 std::string timings_session(const std::string& environment_digest) {

@@ -12,11 +12,11 @@ namespace {
 using testing::ElementsAre;
 using testing::StartsWith;
 
-std::string complaint(const std::string& text) {
+std::string timings_complaint(const std::string& text) {
   return input_error([&] { parse_timings("run/timings.jsonl", text); });
 }
 
-std::string at(int line) {
+std::string timings_place(int line) {
   return "run/timings.jsonl:" + std::to_string(line) + ": ";
 }
 
@@ -58,29 +58,31 @@ TEST(TimingsFile, ForeignOrEmptyFileIsAnInputErrorInTheFirstLine) {
   for (const std::string& text :
        {std::string("{}\n"), timing_line("p/one", 1.0), SealedText(R"({"schema":"other"})").text(),
         SealedText(timings_session("e")).text()})
-    EXPECT_THAT(complaint(text), StartsWith(at(1) + "the first line must name the schema")) << text;
-  EXPECT_THAT(complaint(""), StartsWith(at(1) + "is empty"));
+    EXPECT_THAT(timings_complaint(text),
+                StartsWith(timings_place(1) + "the first line must name the schema"))
+        << text;
+  EXPECT_THAT(timings_complaint(""), StartsWith(timings_place(1) + "is empty"));
 }
 
 TEST(TimingsFile, ImpossibleTimingIsAnInputErrorAtItsLine) {
   for (const double seconds : {0.0, -1.0})
-    EXPECT_THAT(complaint(SealedText(timings_header()).text() + timing_line("p/one", 1.0) +
-                          timing_line("p/one", seconds)),
-                StartsWith(at(3)))
+    EXPECT_THAT(timings_complaint(SealedText(timings_header()).text() + timing_line("p/one", 1.0) +
+                                  timing_line("p/one", seconds)),
+                StartsWith(timings_place(3)))
         << seconds;
 }
 
 TEST(TimingsFile, ContradictionIsAnInputErrorAtItsLine) {
   const std::string one = timing_line("p/one", 1.0);
   const auto with = [&](const std::string& lines, const std::string& object) {
-    return complaint(SealedText(timings_header()).add(lines, object).text());
+    return timings_complaint(SealedText(timings_header()).add(lines, object).text());
   };
   EXPECT_THAT(with(one, timings_completion("p/one", 2, "r", {})),
-              StartsWith(at(3) + "experiment 'p/one' lost or gained timings"));
+              StartsWith(timings_place(3) + "experiment 'p/one' lost or gained timings"));
   EXPECT_THAT(with(one, timings_completion("p/two", 1, "r", {})),
-              StartsWith(at(3) + "a timing of 'p/one' stands in 'p/two'"));
+              StartsWith(timings_place(3) + "a timing of 'p/one' stands in 'p/two'"));
   EXPECT_THAT(with(one, timings_session("e")),
-              StartsWith(at(3) + "timings of 'p/one' stand in no experiment"));
+              StartsWith(timings_place(3) + "timings of 'p/one' stand in no experiment"));
 }
 
 }  // namespace

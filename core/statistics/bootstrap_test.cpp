@@ -8,6 +8,7 @@
 #include "core/contract/errors.hpp"
 #include "core/random/counter_stream.hpp"
 #include "core/statistics/order_statistics.hpp"
+#include "core/statistics/test_values.hpp"
 
 namespace phytobench {
 namespace {
@@ -21,16 +22,6 @@ std::vector<double> uniform_samples(std::uint64_t seed, std::uint64_t stream_ind
   std::vector<double> samples;
   for (std::size_t i = 0; i < count; ++i) samples.push_back(stream.next_unit());
   return samples;
-}
-
-double width(const Estimate& estimate) {
-  return estimate.high - estimate.low;
-}
-
-std::vector<double> times(double factor, const std::vector<double>& values) {
-  std::vector<double> products;
-  for (const double value : values) products.push_back(factor * value);
-  return products;
 }
 
 TEST(MedianEstimate, IntervalContainsTheMedian) {

@@ -11,14 +11,14 @@
 namespace phytobench {
 namespace {
 
-constexpr double rounding = 1e-12;  // of the incomplete beta function
+constexpr double beta_rounding = 1e-12;  // of the incomplete beta function
 
 TEST(FDistribution, HasClosedFormsForTwoDegrees) {
   for (const double x : {0.0, 0.1, 1.0, 3.7, 50.0}) {
     // F(2, 2): x / (1 + x).  F(2, m): 1 - (1 + 2 x / m)^(-m / 2).
-    EXPECT_NEAR(f_probability(x, {2.0, 2.0}), x / (1.0 + x), rounding);
+    EXPECT_NEAR(f_probability(x, {2.0, 2.0}), x / (1.0 + x), beta_rounding);
     const double tail = std::pow(1.0 + 2.0 * x / 7.0, -3.5);
-    EXPECT_NEAR(f_tail(x, {2.0, 7.0}), tail, rounding * tail);
+    EXPECT_NEAR(f_tail(x, {2.0, 7.0}), tail, beta_rounding * tail);
   }
 }
 
@@ -33,11 +33,11 @@ TEST(FDistributionLaw, QuantileAndReciprocalInvert) {
   for (const FDegrees degrees : {FDegrees{1.0, 3.0}, {20.0, 20.0}, {100.0, 7.5}})
     for (const double p : {1e-6, 0.025, 0.5, 0.9, 0.999}) {
       const double x = f_quantile(p, degrees);
-      EXPECT_NEAR(f_probability(x, degrees), p, rounding);
-      EXPECT_NEAR(f_tail(x, degrees), 1.0 - p, rounding);
-      EXPECT_NEAR(f_tail(1.0 / x, {degrees.denominator, degrees.numerator}), p, rounding);
+      EXPECT_NEAR(f_probability(x, degrees), p, beta_rounding);
+      EXPECT_NEAR(f_tail(x, degrees), 1.0 - p, beta_rounding);
+      EXPECT_NEAR(f_tail(1.0 / x, {degrees.denominator, degrees.numerator}), p, beta_rounding);
     }
-  EXPECT_NEAR(f_probability(1.0, {42.0, 42.0}), 0.5, rounding);
+  EXPECT_NEAR(f_probability(1.0, {42.0, 42.0}), 0.5, beta_rounding);
 }
 
 TEST(FDistribution, EndsAndRefusals) {

@@ -15,7 +15,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr double rounding = 1e-15;
+constexpr double p_value_rounding = 1e-15;
 
 Values random_p_values(std::uint64_t set, std::size_t count) {
   CounterStream stream(54, set);
@@ -31,10 +31,10 @@ TEST(FalseDiscoveryAdjusted, MeetsTheExampleOf1995) {
                         0.0459, 0.3240, 0.4262, 0.5719, 0.6528, 0.7590, 1.000};
   const Values adjusted = false_discovery_adjusted(p_values);
   EXPECT_EQ(std::count_if(adjusted.begin(), adjusted.end(), [](double p) { return p <= 0.05; }), 4);
-  EXPECT_NEAR(adjusted[0], 0.0001 * 15.0, rounding);
-  EXPECT_NEAR(adjusted[3], 0.0095 * 15.0 / 4.0, rounding);
+  EXPECT_NEAR(adjusted[0], 0.0001 * 15.0, p_value_rounding);
+  EXPECT_NEAR(adjusted[3], 0.0095 * 15.0 / 4.0, p_value_rounding);
   // The seventh has less to lose than the sixth, which therefore gets the same.
-  EXPECT_NEAR(adjusted[5], 0.0298 * 15.0 / 7.0, rounding);
+  EXPECT_NEAR(adjusted[5], 0.0298 * 15.0 / 7.0, p_value_rounding);
   EXPECT_EQ(adjusted[5], adjusted[6]);
   EXPECT_EQ(adjusted[14], 1.0);
 }

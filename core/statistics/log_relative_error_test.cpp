@@ -11,16 +11,16 @@
 namespace phytobench {
 namespace {
 
-constexpr double rounding = 1e-9;  // of a logarithm of a difference
+constexpr double digit_rounding = 1e-9;  // of a logarithm of a difference
 
 TEST(LogRelativeError, CountsDecimalDigits) {
-  EXPECT_NEAR(log_relative_error(1.001, 1.0), 3.0, rounding);
-  EXPECT_NEAR(log_relative_error(-2000.2, -2000.0), 4.0, rounding);
-  EXPECT_NEAR(log_relative_error(5.0, 4.0), std::log10(4.0), rounding);
+  EXPECT_NEAR(log_relative_error(1.001, 1.0), 3.0, digit_rounding);
+  EXPECT_NEAR(log_relative_error(-2000.2, -2000.0), 4.0, digit_rounding);
+  EXPECT_NEAR(log_relative_error(5.0, 4.0), std::log10(4.0), digit_rounding);
 }
 
 TEST(LogRelativeError, IsAbsoluteWhereTheCertifiedNumberIsZero) {
-  EXPECT_NEAR(log_relative_error(1e-7, 0.0), 7.0, rounding);
+  EXPECT_NEAR(log_relative_error(1e-7, 0.0), 7.0, digit_rounding);
   EXPECT_EQ(log_relative_error(-1e-40, 0.0), most_digits);
   EXPECT_EQ(log_relative_error(0.0, 0.0), most_digits);
 }

@@ -12,13 +12,13 @@
 namespace phytobench {
 namespace {
 
-constexpr double rounding = 1e-14;  // of the incomplete beta function
+constexpr double coverage_rounding = 1e-14;  // of the incomplete beta function
 
 TEST(MedianCoverage, CountsTossesOfACoin) {
-  EXPECT_NEAR(median_coverage(9, {2, 8}), 1.0 - 20.0 / 512.0, rounding);
-  EXPECT_NEAR(median_coverage(5, {1, 5}), 1.0 - 2.0 / 32.0, rounding);
-  EXPECT_NEAR(median_coverage(5, {1, 3}), 0.5 - 1.0 / 32.0, rounding);
-  EXPECT_NEAR(median_coverage(2, {1, 2}), 0.5, rounding);
+  EXPECT_NEAR(median_coverage(9, {2, 8}), 1.0 - 20.0 / 512.0, coverage_rounding);
+  EXPECT_NEAR(median_coverage(5, {1, 5}), 1.0 - 2.0 / 32.0, coverage_rounding);
+  EXPECT_NEAR(median_coverage(5, {1, 3}), 0.5 - 1.0 / 32.0, coverage_rounding);
+  EXPECT_NEAR(median_coverage(2, {1, 2}), 0.5, coverage_rounding);
   EXPECT_EQ(median_coverage(7, {4, 4}), 0.0);
 }
 

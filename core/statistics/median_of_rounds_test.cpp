@@ -16,7 +16,7 @@ namespace phytobench {
 namespace {
 
 /// Skewed, as times are: never shorter than 1, seldom much longer.
-std::vector<double> times(std::uint64_t set, std::size_t rounds) {
+std::vector<double> skewed_times(std::uint64_t set, std::size_t rounds) {
   CounterStream stream(50, set);
   std::vector<double> samples;
   for (std::size_t i = 0; i < rounds; ++i)
@@ -29,7 +29,8 @@ int times_enclosed(std::size_t rounds, int sets) {
   const double truth = 1.0 + std::log(2.0);
   int enclosed = 0;
   for (int set = 0; set < sets; ++set) {
-    const MedianOfRounds found = median_of_rounds(times(static_cast<std::uint64_t>(set), rounds));
+    const MedianOfRounds found =
+        median_of_rounds(skewed_times(static_cast<std::uint64_t>(set), rounds));
     enclosed += found.low <= truth && truth <= found.high;
   }
   return enclosed;
@@ -39,7 +40,7 @@ TEST(MedianOfRounds, KnowsFromHowManyRoundsOnThereIsAnInterval) {
   EXPECT_FALSE(median_ranks(fewest_rounds - 1));
   EXPECT_TRUE(median_ranks(fewest_rounds));
   for (std::size_t rounds = 1; rounds <= 25; ++rounds) {
-    const MedianOfRounds found = median_of_rounds(times(0, rounds));
+    const MedianOfRounds found = median_of_rounds(skewed_times(0, rounds));
     EXPECT_EQ(found.rounds, rounds);
     EXPECT_EQ(found.is_only_range(), rounds < fewest_rounds);
   }
@@ -71,7 +72,7 @@ TEST(MedianOfRoundsLaw, ARangeEnclosesTheMedianTooSeldom) {
 
 TEST(MedianOfRoundsLaw, KnowsNoOrderOfRounds) {
   for (const std::size_t rounds : {3u, 8u, 9u}) {
-    std::vector<double> samples = times(1, rounds);
+    std::vector<double> samples = skewed_times(1, rounds);
     const MedianOfRounds first = median_of_rounds(samples);
     std::reverse(samples.begin(), samples.end());
     const MedianOfRounds second = median_of_rounds(samples);
@@ -83,7 +84,7 @@ TEST(MedianOfRoundsLaw, KnowsNoOrderOfRounds) {
 
 TEST(MedianOfRoundsLaw, ScalesWithTheSamplesAndHoldsTheirMedian) {
   for (const std::size_t rounds : {2u, 5u, 6u, 15u}) {
-    const std::vector<double> samples = times(2, rounds);
+    const std::vector<double> samples = skewed_times(2, rounds);
     std::vector<double> scaled = samples;
     for (double& value : scaled) value *= 8.0;  // a power of two: no rounding
     const MedianOfRounds found = median_of_rounds(samples), larger = median_of_rounds(scaled);
@@ -104,7 +105,7 @@ TEST(MedianOfRounds, OfFewRoundsEndsAtTheExtremes) {
 }
 
 TEST(RatioOfRounds, OfAMultipleIsExactlyThatMultiple) {
-  const std::vector<double> denominator = times(3, 12);
+  const std::vector<double> denominator = skewed_times(3, 12);
   std::vector<double> numerator = denominator;
   for (double& value : numerator) value *= 4.0;
   const MedianOfRounds ratio = ratio_of_rounds(numerator, denominator);

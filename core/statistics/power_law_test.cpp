@@ -10,17 +10,14 @@
 
 #include "core/contract/errors.hpp"
 #include "core/random/counter_stream.hpp"
+#include "core/statistics/test_values.hpp"
 
 namespace phytobench {
 namespace {
 
 using Values = std::vector<double>;
 
-constexpr double rounding = 1e-12;  // of a few logarithms below 50 and their sums
-
-double width(const Estimate& estimate) {
-  return estimate.high - estimate.low;
-}
+constexpr double fit_rounding = 1e-12;  // of a few logarithms below 50 and their sums
 
 Values powers(const Values& x, double factor, double exponent) {
   Values y;
@@ -28,33 +25,28 @@ Values powers(const Values& x, double factor, double exponent) {
   return y;
 }
 
-Values times(double factor, Values values) {
-  for (double& value : values) value *= factor;
-  return values;
-}
-
 // Base-2 logarithms 0 1 2 3 4 and 1 2 4 5 8, by hand: slope 17/10, residuals 0.4 -0.3 0 -0.7 0.6,
 // so the slope's standard error is sqrt(1.1 / 3 / 10). The quantiles of Student's t solve its
 // closed form at three degrees of freedom.
-const Values hand_x{1, 2, 4, 8, 16}, hand_y{2, 4, 16, 32, 256};
+const Values power_x{1, 2, 4, 8, 16}, power_y{2, 4, 16, 32, 256};
 
 TEST(PowerLawFit, IsTheOneByHand) {
-  const auto fit = fit_power_law(hand_x, hand_y);
+  const auto fit = fit_power_law(power_x, power_y);
   ASSERT_TRUE(fit);
   const double error = std::sqrt(1.1 / 30.0);
   constexpr double qt_0975_3 = 3.18244630528371;
-  EXPECT_NEAR(fit->exponent.value, 1.7, rounding);
-  EXPECT_NEAR(fit->exponent.low, 1.7 - qt_0975_3 * error, rounding);
-  EXPECT_NEAR(fit->exponent.high, 1.7 + qt_0975_3 * error, rounding);
-  EXPECT_NEAR(fit->factor, std::exp2(0.6), rounding);
+  EXPECT_NEAR(fit->exponent.value, 1.7, fit_rounding);
+  EXPECT_NEAR(fit->exponent.low, 1.7 - qt_0975_3 * error, fit_rounding);
+  EXPECT_NEAR(fit->exponent.high, 1.7 + qt_0975_3 * error, fit_rounding);
+  EXPECT_NEAR(fit->factor, std::exp2(0.6), fit_rounding);
 }
 
 TEST(PowerLawFit, WidensWithTheConfidence) {
-  const auto fit = fit_power_law(hand_x, hand_y, 0.9);
+  const auto fit = fit_power_law(power_x, power_y, 0.9);
   ASSERT_TRUE(fit);
   constexpr double qt_095_3 = 2.353363434801824;
-  EXPECT_NEAR(fit->exponent.high, 1.7 + qt_095_3 * std::sqrt(1.1 / 30.0), rounding);
-  EXPECT_LT(width(fit->exponent), width(fit_power_law(hand_x, hand_y, 0.95)->exponent));
+  EXPECT_NEAR(fit->exponent.high, 1.7 + qt_095_3 * std::sqrt(1.1 / 30.0), fit_rounding);
+  EXPECT_LT(width(fit->exponent), width(fit_power_law(power_x, power_y, 0.95)->exponent));
 }
 
 TEST(PowerLawFit, OfAnExactPowerHasNoWidth) {
@@ -62,9 +54,9 @@ TEST(PowerLawFit, OfAnExactPowerHasNoWidth) {
   for (const double exponent : {-2.0, 0.0, 1.0 / 3.0, 1.0, 2.5}) {
     const auto fit = fit_power_law(x, powers(x, 4e-9, exponent));
     ASSERT_TRUE(fit);
-    EXPECT_NEAR(fit->exponent.value, exponent, rounding);
-    EXPECT_NEAR(width(fit->exponent), 0.0, rounding);
-    EXPECT_NEAR(fit->factor, 4e-9, 4e-9 * 100.0 * rounding);
+    EXPECT_NEAR(fit->exponent.value, exponent, fit_rounding);
+    EXPECT_NEAR(width(fit->exponent), 0.0, fit_rounding);
+    EXPECT_NEAR(fit->factor, 4e-9, 4e-9 * 100.0 * fit_rounding);
   }
 }
 
@@ -116,13 +108,13 @@ Values with_noise(Values y, double sigma, std::uint64_t stream_index) {
   return y;
 }
 
-const Values sizes{1e3, 2e3, 5e3, 1e4, 3e4, 1e5, 1e6};
+const Values power_sizes{1e3, 2e3, 5e3, 1e4, 3e4, 1e5, 1e6};
 
 int covered_of_400(double confidence) {
   int covered = 0;
   for (std::uint64_t set = 0; set < 400; ++set) {
-    const auto fit =
-        fit_power_law(sizes, with_noise(powers(sizes, 2e-8, 1.3), 0.4, set), confidence);
+    const auto fit = fit_power_law(
+        power_sizes, with_noise(powers(power_sizes, 2e-8, 1.3), 0.4, set), confidence);
     covered += fit && fit->exponent.low <= 1.3 && 1.3 <= fit->exponent.high;
   }
   return covered;
@@ -135,29 +127,29 @@ TEST(PowerLawFitLaw, CoversTheTruthAsOftenAsItSays) {
 }
 
 TEST(PowerLawFitLaw, UnitsChangeOnlyTheFactor) {
-  const Values y = with_noise(powers(sizes, 2e-8, 1.3), 0.2, 0);
-  const auto fit = fit_power_law(sizes, y);
+  const Values y = with_noise(powers(power_sizes, 2e-8, 1.3), 0.2, 0);
+  const auto fit = fit_power_law(power_sizes, y);
   ASSERT_TRUE(fit);
   for (const double factor : {1e-9, 60.0, 1e12}) {
-    const auto scaled_x = fit_power_law(times(factor, sizes), y);
-    const auto scaled_y = fit_power_law(sizes, times(factor, y));
+    const auto scaled_x = fit_power_law(times(factor, power_sizes), y);
+    const auto scaled_y = fit_power_law(power_sizes, times(factor, y));
     ASSERT_TRUE(scaled_x && scaled_y);
     for (const Estimate& scaled : {scaled_x->exponent, scaled_y->exponent}) {
-      EXPECT_NEAR(scaled.value, fit->exponent.value, rounding);
-      EXPECT_NEAR(scaled.low, fit->exponent.low, rounding);
-      EXPECT_NEAR(scaled.high, fit->exponent.high, rounding);
+      EXPECT_NEAR(scaled.value, fit->exponent.value, fit_rounding);
+      EXPECT_NEAR(scaled.low, fit->exponent.low, fit_rounding);
+      EXPECT_NEAR(scaled.high, fit->exponent.high, fit_rounding);
     }
-    EXPECT_NEAR(scaled_y->factor / (factor * fit->factor), 1.0, 100.0 * rounding);
+    EXPECT_NEAR(scaled_y->factor / (factor * fit->factor), 1.0, 100.0 * fit_rounding);
     const double expected = fit->factor * std::pow(factor, -fit->exponent.value);
-    EXPECT_NEAR(scaled_x->factor / expected, 1.0, 100.0 * rounding);
+    EXPECT_NEAR(scaled_x->factor / expected, 1.0, 100.0 * fit_rounding);
   }
 }
 
 TEST(PowerLawFitLaw, SwappedAxesOfAnExactPowerGiveTheInverse) {
-  const Values y = powers(sizes, 3.0, 2.5);
-  const auto inverse = fit_power_law(y, sizes);
+  const Values y = powers(power_sizes, 3.0, 2.5);
+  const auto inverse = fit_power_law(y, power_sizes);
   ASSERT_TRUE(inverse);
-  EXPECT_NEAR(inverse->exponent.value, 1.0 / 2.5, rounding);
+  EXPECT_NEAR(inverse->exponent.value, 1.0 / 2.5, fit_rounding);
 }
 
 }  // namespace

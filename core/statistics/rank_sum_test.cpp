@@ -17,7 +17,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr double rounding = 1e-13;  // of sums of some thousand counts
+constexpr double rank_rounding = 1e-13;  // of sums of some thousand counts
 
 /// Pairs in which the first sample's value is the larger, ties half.
 double won_pairs(const Values& first, const Values& second) {
@@ -165,8 +165,8 @@ TEST(RankSumTestLaw, SwappedSamplesSwapTheSides) {
     const RankSumTest test = rank_sum_test(first, second);
     const RankSumTest mirrored = rank_sum_test(second, first);
     EXPECT_EQ(test.u + mirrored.u, static_cast<double>(count * (count + 3)));
-    EXPECT_NEAR(test.p_greater, mirrored.p_less, rounding);
-    EXPECT_NEAR(test.p_less, mirrored.p_greater, rounding);
+    EXPECT_NEAR(test.p_greater, mirrored.p_less, rank_rounding);
+    EXPECT_NEAR(test.p_less, mirrored.p_greater, rank_rounding);
   }
 }
 

@@ -19,10 +19,10 @@ namespace {
 using Values = std::vector<double>;
 
 // Means 2 and 4, sums of squares 10 and 30, of products 17, residuals 0.4 -0.3 0 -0.7 0.6.
-const Values hand_x{0, 1, 2, 3, 4}, hand_y{1, 2, 4, 5, 8};
+const Values line_x{0, 1, 2, 3, 4}, line_y{1, 2, 4, 5, 8};
 
 TEST(StraightLines, AreThoseByHand) {
-  const auto least = least_squares_line(hand_x, hand_y), axis = reduced_major_axis(hand_x, hand_y);
+  const auto least = least_squares_line(line_x, line_y), axis = reduced_major_axis(line_x, line_y);
   ASSERT_TRUE(least && axis);
   EXPECT_NEAR(least->slope, 1.7, 1e-15);
   EXPECT_NEAR(least->intercept, 0.6, 1e-15);
@@ -53,7 +53,7 @@ TEST(StraightLines, OfPointsOnALineAreThatLine) {
 }
 
 TEST(StraightLines, FarFromZeroKeepTheirDigits) {
-  Values x = hand_x, y = hand_y;
+  Values x = line_x, y = line_y;
   for (double& value : x) value += 1e9;
   for (double& value : y) value -= 1e9;
   EXPECT_NEAR(reduced_major_axis(x, y)->slope, std::sqrt(3.0), 1e-14);
@@ -149,16 +149,16 @@ TEST(StraightLines, OfLogarithmsAgreeWithThePowerLawFit) {
 TEST(StraightLines, NeedThreePointsAndSpreadOnBothAxes) {
   EXPECT_FALSE(reduced_major_axis({}, {}));
   EXPECT_FALSE(least_squares_line(Values{1, 2}, Values{1, 4}));
-  EXPECT_FALSE(reduced_major_axis(Values(5, 0.1), hand_y));
-  EXPECT_FALSE(least_squares_line(hand_x, Values(5, 0.1)));
+  EXPECT_FALSE(reduced_major_axis(Values(5, 0.1), line_y));
+  EXPECT_FALSE(least_squares_line(line_x, Values(5, 0.1)));
   EXPECT_FALSE(reduced_major_axis(Values{-1, 0, 1}, Values{1, 0, 1})) << "no direction";
   EXPECT_TRUE(least_squares_line(Values{-1, 0, 1}, Values{1, 0, 1}));
 }
 
 TEST(StraightLines, RefuseUnpairedAndEndlessValues) {
-  EXPECT_THROW(reduced_major_axis(hand_x, Values{1, 2}), ContractViolation);
+  EXPECT_THROW(reduced_major_axis(line_x, Values{1, 2}), ContractViolation);
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()})
-    EXPECT_THROW(least_squares_line(hand_x, Values{1, 2, bad, 4, 5}), ContractViolation);
+    EXPECT_THROW(least_squares_line(line_x, Values{1, 2, bad, 4, 5}), ContractViolation);
 }
 
 }  // namespace

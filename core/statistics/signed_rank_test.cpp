@@ -16,7 +16,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr double rounding = 1e-13;  // of sums of up to some thousand probabilities
+constexpr double sign_rounding = 1e-13;  // of sums of up to some thousand probabilities
 
 /// By counting over all sign patterns, with ranks counted pair by pair.
 SignedRankTest by_all_patterns(const Values& differences) {
@@ -179,9 +179,9 @@ TEST(SignedRankTestLaw, NegatedDifferencesSwapTheSides) {
     const Values differences = uniform_differences(count, count, 0.45);
     const SignedRankTest test = signed_rank_test(differences);
     const SignedRankTest mirrored = signed_rank_test(negated(differences));
-    EXPECT_NEAR(test.p_greater, mirrored.p_less, rounding);
-    EXPECT_NEAR(test.p_less, mirrored.p_greater, rounding);
-    EXPECT_NEAR(test.p_two_sided, mirrored.p_two_sided, rounding);
+    EXPECT_NEAR(test.p_greater, mirrored.p_less, sign_rounding);
+    EXPECT_NEAR(test.p_less, mirrored.p_greater, sign_rounding);
+    EXPECT_NEAR(test.p_two_sided, mirrored.p_two_sided, sign_rounding);
   }
 }
 
@@ -190,7 +190,7 @@ TEST(SignedRankTestLaw, KnowsNeitherOrderNorScale) {
   Values changed(differences.rbegin(), differences.rend());
   for (double& value : changed) value *= 1024.0;
   EXPECT_NEAR(signed_rank_test(differences).p_greater, signed_rank_test(changed).p_greater,
-              rounding);
+              sign_rounding);
 }
 
 TEST(SignedRankTestLaw, BothSidesTogetherCountTheSumTwice) {

@@ -31,7 +31,7 @@ Skeleton tree_of_equation_2_17(int steps) {
   return tree;
 }
 
-Skeleton random_tree(std::uint64_t seed) {
+Skeleton random_tree_on_a_line(std::uint64_t seed) {
   CounterStream stream(seed, 0);
   Skeleton tree{Vector3{}};
   for (std::int32_t i = 1; i < 400; ++i) {
@@ -106,7 +106,7 @@ TEST(BranchDepth, OnTheFinishedTreeOfEquation217HasPowersOfThree) {
 
 TEST(BranchDepthLaw, IsNeverAboveTheNodeDepthNorAboveTheOtherReading) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const Skeleton tree = random_tree(seed);
+    const Skeleton tree = random_tree_on_a_line(seed);
     const auto edges = node_depths(tree);
     const auto created = branch_depths(tree, at_creation);
     const auto finished = branch_depths(tree, finished_tree);
@@ -120,7 +120,7 @@ TEST(BranchDepthLaw, IsNeverAboveTheNodeDepthNorAboveTheOtherReading) {
 // An edge in two pieces has a node more, and no branch is any deeper for it.
 TEST(BranchDepthLaw, DoesNotCountTheNodesOfACurve) {
   for (const BranchDepthReading reading : {at_creation, finished_tree}) {
-    const Skeleton tree = random_tree(3);
+    const Skeleton tree = random_tree_on_a_line(3);
     const auto depths = branch_depths(tree, reading);
     Skeleton finer{tree.positions()[0]};
     std::vector<std::int32_t> same{0};  // per node of the tree its number in the finer one
@@ -135,7 +135,7 @@ TEST(BranchDepthLaw, DoesNotCountTheNodesOfACurve) {
 }
 
 TEST(BranchDepthLaw, OfAGrowingTreeIsThatAtCreation) {
-  const Skeleton tree = random_tree(5);
+  const Skeleton tree = random_tree_on_a_line(5);
   const auto expected = branch_depths(tree, at_creation);
   BranchDepths growing;
   for (std::size_t i = 0; i < tree.node_count(); ++i) {

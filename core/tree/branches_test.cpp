@@ -14,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 
 /// 0 - 1 - 2 - 3, with 4 and 5 on 1 and 6 on 4.
-Skeleton small_tree() {
+Skeleton three_way_fork() {
   Skeleton tree({0, 0, 0});
   tree.append(0, {0, 1, 0});
   tree.append(1, {0, 2, 0});
@@ -25,7 +25,7 @@ Skeleton small_tree() {
   return tree;
 }
 
-Skeleton random_tree(int nodes) {
+Skeleton random_tree_in_plane(int nodes) {
   CounterStream stream(5, 0);
   Skeleton tree({0, 0, 0});
   for (int i = 1; i < nodes; ++i) {
@@ -36,7 +36,7 @@ Skeleton random_tree(int nodes) {
 }
 
 TEST(ChildLists, NameChildrenAscending) {
-  const Skeleton tree = small_tree();
+  const Skeleton tree = three_way_fork();
   const ChildLists children(tree);
   EXPECT_THAT(children.of(0), ElementsAre(1));
   EXPECT_THAT(children.of(1), ElementsAre(2, 4, 5));
@@ -45,23 +45,23 @@ TEST(ChildLists, NameChildrenAscending) {
 }
 
 TEST(TipsAbove, CountsTipsAndATipItself) {
-  EXPECT_THAT(tips_above(small_tree()), ElementsAre(3, 3, 1, 1, 1, 1, 1));
+  EXPECT_THAT(tips_above(three_way_fork()), ElementsAre(3, 3, 1, 1, 1, 1, 1));
   EXPECT_THAT(tips_above(Skeleton({0, 0, 0})), ElementsAre(1));
 }
 
 TEST(NodeDepths, CountEdgesFromTheRoot) {
-  EXPECT_THAT(node_depths(small_tree()), ElementsAre(0, 1, 2, 3, 2, 2, 3));
+  EXPECT_THAT(node_depths(three_way_fork()), ElementsAre(0, 1, 2, 3, 2, 2, 3));
 }
 
 TEST(BranchOrders, FollowTheThickestChild) {
-  const Skeleton tree = small_tree();
+  const Skeleton tree = three_way_fork();
   EXPECT_THAT(branch_orders(tree, branch_radii(tree, 1, 2)), ElementsAre(0, 0, 0, 0, 1, 1, 1));
   const std::vector<double> radii{3, 3, 1, 1, 2, 1, 2};
   EXPECT_THAT(branch_orders(tree, radii), ElementsAre(0, 0, 1, 1, 0, 1, 0));
 }
 
 TEST(BranchRadii, FollowThePowerSumRule) {
-  const Skeleton tree = small_tree();
+  const Skeleton tree = three_way_fork();
   const std::vector<double> radii = branch_radii(tree, 0.5, 2.0);
   EXPECT_DOUBLE_EQ(radii[3], 0.5);
   EXPECT_DOUBLE_EQ(radii[2], 0.5);
@@ -70,7 +70,7 @@ TEST(BranchRadii, FollowThePowerSumRule) {
 }
 
 TEST(BranchRadiiLaw, EveryBranchingHoldsForAnyExponent) {
-  const Skeleton tree = random_tree(500);
+  const Skeleton tree = random_tree_in_plane(500);
   const ChildLists children(tree);
   for (const double exponent : {1.0, 1.9, 2.0, 3.0}) {
     const std::vector<double> radii = branch_radii(tree, 0.007, exponent);

@@ -10,12 +10,12 @@
 #include "core/random/counter_stream.hpp"
 #include "core/tree/branches.hpp"
 #include "core/tree/habit.hpp"
+#include "core/tree/test_angles.hpp"
 
 namespace phytobench {
 namespace {
 
 using enum ReductionOrder;
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// Unit edges that turn by the same angle at each node.
 Skeleton arc(int edges, double turn_deg) {
@@ -27,7 +27,7 @@ Skeleton arc(int edges, double turn_deg) {
   return tree;
 }
 
-Skeleton random_tree(std::uint64_t seed) {
+Skeleton random_upward_tree(std::uint64_t seed) {
   CounterStream stream(seed, 0);
   Skeleton tree{Vector3{}};
   for (std::int32_t i = 1; i < 300; ++i) {
@@ -82,7 +82,7 @@ TEST(CurveReduction, MakesOneEdgeOfAStraightBranch) {
 
 // Rounding gives straight edges cosines above 1.
 TEST(CurveReduction, ThatAsksForMoreThanStraightRemovesNothing) {
-  for (const Skeleton& tree : {arc(36, 0.0), random_tree(1)})
+  for (const Skeleton& tree : {arc(36, 0.0), random_upward_tree(1)})
     for (const ReductionOrder order : {simultaneous, root_to_tip}) {
       const ReducedSkeleton reduced = reduce_curves(tree, {.cosine_above = 1.0, .order = order});
       EXPECT_EQ(tree_hash(reduced.skeleton), tree_hash(tree));
@@ -101,7 +101,7 @@ TEST(CurveReduction, KeepsNodesAtAnEdgeWithoutLength) {
 TEST(CurveReductionLaw, LeavesRootTipsAndForksAndHowTheyHangTogether) {
   for (std::uint64_t seed = 0; seed < 20; ++seed)
     for (const ReductionOrder order : {simultaneous, root_to_tip}) {
-      const Skeleton tree = random_tree(seed);
+      const Skeleton tree = random_upward_tree(seed);
       const ReducedSkeleton reduced = reduce_curves(tree, below(12.0, order));
       ASSERT_LT(reduced.skeleton.node_count(), tree.node_count());
       EXPECT_EQ(tip_count(reduced.skeleton), tip_count(tree));
@@ -129,7 +129,7 @@ TEST(CurveReductionLaw, LeavesRootTipsAndForksAndHowTheyHangTogether) {
 }
 
 TEST(CurveReductionLaw, AtOnceRemovesWhatAnyLargerThresholdRemoves) {
-  const Skeleton tree = random_tree(7);
+  const Skeleton tree = random_upward_tree(7);
   std::size_t last = tree.node_count();
   for (const double degrees : {0.0, 5.0, 10.0, 20.0, 90.0, 180.0}) {
     const std::size_t now = kept(tree, degrees, simultaneous);

@@ -17,7 +17,7 @@ namespace {
 constexpr double right_angle = 0.5 * std::numbers::pi;
 
 /// A stem 0 - 1, a straight axis 1 - 2 - 3 - 4, and on 2 a side branch 5 - 6 that turns upwards.
-Skeleton small_tree() {
+Skeleton tree_with_side_branch() {
   Skeleton tree({0, 0, 0});
   for (int y = 1; y <= 4; ++y) tree.append(y - 1, {0, static_cast<double>(y), 0});
   tree.append(2, {1, 2, 0});
@@ -25,7 +25,7 @@ Skeleton small_tree() {
   return tree;
 }
 
-Skeleton random_tree(int nodes) {
+Skeleton random_tree_in_space(int nodes) {
   CounterStream stream(11, 0);
   Skeleton tree({0, 0, 0});
   for (int i = 1; i < nodes; ++i) {
@@ -44,8 +44,8 @@ Skeleton turned(const Skeleton& tree, const Rotation& rotation) {
 }
 
 TEST(BranchingCount, CountsNodesNotChildren) {
-  EXPECT_EQ(branching_count(small_tree()), 1u);
-  Skeleton tree = small_tree();
+  EXPECT_EQ(branching_count(tree_with_side_branch()), 1u);
+  Skeleton tree = tree_with_side_branch();
   tree.append(2, {-1, 2, 0});
   EXPECT_EQ(branching_count(tree), 1u) << "three children are one branching";
   tree.append(5, {2, 3, 0});
@@ -55,19 +55,20 @@ TEST(BranchingCount, CountsNodesNotChildren) {
 
 TEST(MeanTurn, LooksAtUnbranchedStretchesOnly) {
   // 1 goes on straight, 3 goes on straight, 5 turns by a right angle; 2 branches.
-  EXPECT_NEAR(mean_turn_rad(small_tree(), 0), right_angle / 3, 1e-12);
-  EXPECT_NEAR(mean_turn_rad(small_tree(), 3), right_angle / 2, 1e-12) << "without the stem";
+  EXPECT_NEAR(mean_turn_rad(tree_with_side_branch(), 0), right_angle / 3, 1e-12);
+  EXPECT_NEAR(mean_turn_rad(tree_with_side_branch(), 3), right_angle / 2, 1e-12)
+      << "without the stem";
   EXPECT_EQ(mean_turn_rad(Skeleton({0, 0, 0}), 0), 0.0);
 }
 
 TEST(MeanTurnLaw, IsKeptByRotations) {
-  const Skeleton tree = random_tree(300);
+  const Skeleton tree = random_tree_in_space(300);
   const Rotation rotation = Rotation::about({0, 0, 1}, 0.7);
   EXPECT_NEAR(mean_turn_rad(turned(tree, rotation), 0), mean_turn_rad(tree, 0), 1e-9);
 }
 
 TEST(TrunkShare, ComparesAreasAtAHeight) {
-  const Skeleton tree = small_tree();
+  const Skeleton tree = tree_with_side_branch();
   const std::vector<double> radii{2, 2, 2, 2, 1, 1, 1};
   EXPECT_EQ(trunk_share(tree, radii, 0.5), 1.0) << "the stem alone";
   EXPECT_EQ(trunk_share(tree, radii, 2.5), 0.8) << "2^2 of 2^2 + 1^2";
@@ -81,7 +82,7 @@ TEST(TrunkShareLaw, EqualBranchesShareEqually) {
 }
 
 TEST(CrownParts, GoFromTheInsideToTheOutside) {
-  const std::vector<CrownPart> parts = crown_parts(small_tree(), 1, 2);
+  const std::vector<CrownPart> parts = crown_parts(tree_with_side_branch(), 1, 2);
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0].inner_nodes, 2u) << "nodes 1 and 2";
   EXPECT_EQ(parts[0].branchings, 1u);
@@ -92,7 +93,7 @@ TEST(CrownParts, GoFromTheInsideToTheOutside) {
 }
 
 TEST(CrownPartsLaw, TogetherHoldEveryInnerNodeAndBranching) {
-  const Skeleton tree = random_tree(500);
+  const Skeleton tree = random_tree_in_space(500);
   for (const std::size_t parts : {1u, 2u, 7u}) {
     std::size_t inner = 0, branchings = 0;
     for (const CrownPart& part : crown_parts(tree, 0, parts)) {
@@ -105,7 +106,7 @@ TEST(CrownPartsLaw, TogetherHoldEveryInnerNodeAndBranching) {
 }
 
 TEST(Habit, WrongCallsAreRefused) {
-  const Skeleton tree = small_tree();
+  const Skeleton tree = tree_with_side_branch();
   EXPECT_THROW(trunk_share(tree, std::vector<double>{1.0}, 0.5), ContractViolation);
   EXPECT_THROW(crown_parts(tree, 7, 2), ContractViolation);
   EXPECT_THROW(crown_parts(tree, 0, 0), ContractViolation);

@@ -12,15 +12,15 @@ namespace phytobench {
 
 namespace {
 
-constexpr Vector3 down{0.0, -1.0, 0.0};
+constexpr Vector3 downwards{0.0, -1.0, 0.0};
 
 /// The turn of one edge that points along `direction`. Straight up or down it has no axis and no
 /// angle either.
 Rotation towards_ground(const Vector3& direction, double intensity) {
-  const Vector3 axis = cross(direction, down);
+  const Vector3 axis = cross(direction, downwards);
   const double across = norm(axis);
   if (across == 0.0) return {};
-  const double theta = std::atan2(across, dot(direction, down));
+  const double theta = std::atan2(across, dot(direction, downwards));
   return Rotation::about(axis / across, pendulous_angle(theta, intensity));
 }
 

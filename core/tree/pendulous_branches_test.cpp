@@ -7,11 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "core/tree/branches.hpp"
+#include "core/tree/test_angles.hpp"
 
 namespace phytobench {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 double angle_to_ground_deg(const Skeleton& tree, std::size_t node) {
   const Vector3 edge = tree.positions()[node] - tree.position(tree.parents()[node]);

@@ -17,7 +17,7 @@ std::size_t occurrences(const std::string& text, const std::string& part) {
 }
 
 /// A trunk of two edges under two branches.
-Skeleton forked() {
+Skeleton forked_trunk() {
   Skeleton skeleton{Vector3{0.3, -1.0, 5.0}};
   skeleton.append(0, {0.3, 0.0, 5.0});
   skeleton.append(1, {0.3, 1.0, 5.0});
@@ -41,16 +41,16 @@ void expect_well_formed(const std::string& svg) {
 }
 
 TEST(SkeletonSvg, IsWellFormed) {
-  expect_well_formed(skeleton_svg(forked(), "a tree"));
+  expect_well_formed(skeleton_svg(forked_trunk(), "a tree"));
   expect_well_formed(skeleton_svg(Skeleton{Vector3{}}, "a root"));
 }
 
 TEST(SkeletonSvg, CarriesItsTitle) {
-  EXPECT_THAT(skeleton_svg(forked(), "figure 51"), HasSubstr("<title>figure 51</title>"));
+  EXPECT_THAT(skeleton_svg(forked_trunk(), "figure 51"), HasSubstr("<title>figure 51</title>"));
 }
 
 TEST(SkeletonSvg, RefersToNothingOutside) {
-  const std::string svg = skeleton_svg(forked(), "a tree");
+  const std::string svg = skeleton_svg(forked_trunk(), "a tree");
   EXPECT_EQ(occurrences(svg, "http"), 1u);  // the name space, which nobody fetches
   EXPECT_THAT(svg, HasSubstr("xmlns=\"http://www.w3.org/2000/svg\""));
   for (const char* reference : {"href", "url(", "<image", "<style", "<script", "@import"})
@@ -58,7 +58,7 @@ TEST(SkeletonSvg, RefersToNothingOutside) {
 }
 
 TEST(SkeletonSvg, FollowsTheColourOfThePage) {
-  EXPECT_THAT(skeleton_svg(forked(), "a tree"), HasSubstr("stroke=\"currentColor\""));
+  EXPECT_THAT(skeleton_svg(forked_trunk(), "a tree"), HasSubstr("stroke=\"currentColor\""));
 }
 
 TEST(SkeletonSvg, DrawsYUpwards) {
@@ -69,14 +69,14 @@ TEST(SkeletonSvg, DrawsYUpwards) {
 }
 
 TEST(SkeletonSvg, DrawsEveryEdgeAndTheTrunkWider) {
-  const std::string svg = skeleton_svg(forked(), "a tree");
+  const std::string svg = skeleton_svg(forked_trunk(), "a tree");
   EXPECT_EQ(occurrences(svg, "<path"), 2u);  // one width for the trunk, one for both branches
   EXPECT_THAT(svg, HasSubstr("d=\"M333 1000l0-333 0-334\""));  // its two edges as one line
   EXPECT_THAT(svg, HasSubstr("d=\"M333 333l334-333M333 333l-333-333\""));
 }
 
 TEST(SkeletonSvgLaw, SameTreeGivesTheSameBytes) {
-  EXPECT_EQ(skeleton_svg(forked(), "a tree"), skeleton_svg(forked(), "a tree"));
+  EXPECT_EQ(skeleton_svg(forked_trunk(), "a tree"), skeleton_svg(forked_trunk(), "a tree"));
 }
 
 TEST(SkeletonSvgLaw, DepthIsNotSeen) {
@@ -87,7 +87,7 @@ TEST(SkeletonSvgLaw, DepthIsNotSeen) {
 }
 
 TEST(SkeletonSvgLaw, DoubledTreeGivesTheSamePicture) {
-  const Skeleton tree = forked();
+  const Skeleton tree = forked_trunk();
   Skeleton doubled{2.0 * tree.position(0)};
   for (std::size_t i = 1; i < tree.node_count(); ++i)
     doubled.append(tree.parents()[i], 2.0 * tree.positions()[i]);
