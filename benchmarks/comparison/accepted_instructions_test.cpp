@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "benchmarks/comparison/text_fixture.hpp"
 #include "core/contract/errors.hpp"
 
 namespace phytobench {
@@ -24,14 +25,6 @@ void expect_refused(const std::string& text, const std::string& place, const std
     EXPECT_THAT(error.what(), StartsWith("accepted.toml:" + place));
     EXPECT_THAT(error.what(), HasSubstr(problem));
   }
-}
-
-std::string with(const std::string& place, const std::string& by) {
-  std::string text = entry;
-  const std::size_t found = text.find(place);
-  EXPECT_NE(found, std::string::npos) << place;
-  if (found != std::string::npos) text.replace(found, place.size(), by);
-  return text;
 }
 
 TEST(AcceptedInstructions, AreReadFromTheirTables) {
@@ -59,13 +52,13 @@ TEST(AcceptedInstructions, DamageIsNamedWithItsLine) {
   expect_refused("percent = 1\n", "1: ", "only [[accepted]]");
   expect_refused("accepted = 3\n", "1: ", "only [[accepted]]");
   expect_refused("accepted = [3]\n", "1: ", "must be tables");
-  expect_refused(with("percent = 12.0\n", ""), "1: ", "has no percent");
-  expect_refused(with("12.0", "0"), "3: ", "percent");
-  expect_refused(with("12.0", "nan"), "3: ", "percent");
-  expect_refused(with("12.0", "\"12\""), "3: ", "number");
-  expect_refused(with("0123456789ab", "HEAD"), "4: ", "12 of its digits");
-  expect_refused(with("areas are summed in a fixed order", " "), "5: ", "reason");
-  expect_refused(with("reason", "why = \"x\"\nreason"), "5: ", "unknown key 'why'");
+  expect_refused(replaced(entry, "percent = 12.0\n", ""), "1: ", "has no percent");
+  expect_refused(replaced(entry, "12.0", "0"), "3: ", "percent");
+  expect_refused(replaced(entry, "12.0", "nan"), "3: ", "percent");
+  expect_refused(replaced(entry, "12.0", "\"12\""), "3: ", "number");
+  expect_refused(replaced(entry, "0123456789ab", "HEAD"), "4: ", "12 of its digits");
+  expect_refused(replaced(entry, "areas are summed in a fixed order", " "), "5: ", "reason");
+  expect_refused(replaced(entry, "reason", "why = \"x\"\nreason"), "5: ", "unknown key 'why'");
 }
 
 TEST(AcceptedInstructions, WithoutAFileThereAreNone) {

@@ -14,7 +14,7 @@ namespace phytobench {
 
 namespace {
 
-constexpr std::size_t most_bytes = 4000;  // of a value; paths of libraries may be many
+constexpr std::size_t most_value_bytes = 4000;  // of a value; paths of libraries may be many
 
 /// The first line of what the compiler says of its version. CXX may hold arguments, too; CMake
 /// looks for c++ first where it is not set.
@@ -24,7 +24,8 @@ std::string compiler() {
         run_child({.command = {"sh", "-c", "exec ${CXX:-c++} --version"},
                    .environment = {{"LC_ALL", "C"}, {"LANGUAGE", std::nullopt}},
                    .limit_s = 60.0});
-    return result.is_ok() ? one_line(result.out.substr(0, result.out.find('\n')), most_bytes) : "";
+    return result.is_ok() ? one_line(result.out.substr(0, result.out.find('\n')), most_value_bytes)
+                          : "";
   } catch (const EnvironmentError&) {
     return "";  // whoever builds without a shell will hear of it then
   }
@@ -48,7 +49,8 @@ std::string build_inputs() {
   for (const char* name : {"CXX", "CXXFLAGS", "LDFLAGS", "CMAKE_TOOLCHAIN_FILE",
                            "CMAKE_PREFIX_PATH", "CPATH", "CPLUS_INCLUDE_PATH", "LIBRARY_PATH"}) {
     const char* value = std::getenv(name);
-    text += fmt::format("{}: {}\n", name, value == nullptr ? "" : one_line(value, most_bytes));
+    text +=
+        fmt::format("{}: {}\n", name, value == nullptr ? "" : one_line(value, most_value_bytes));
   }
   return text;
 }

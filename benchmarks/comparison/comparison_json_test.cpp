@@ -10,36 +10,36 @@
 namespace phytobench {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 TEST(ComparisonJson, HoldsEveryBlockWithAllItsSamples) {
   const ComparisonReport report = example_report();
-  const json document = json::parse(comparison_json(report));
+  const Json document = Json::parse(comparison_json(report));
   EXPECT_EQ(document["schema"], "phytobench/comparison-1");
   ASSERT_EQ(document["benchmarks"].size(), 6u);
   for (std::size_t i = 0; i < 6; ++i) {
-    const json& benchmark = document["benchmarks"][i];
+    const Json& benchmark = document["benchmarks"][i];
     const MeasuredBenchmark& measured = report.timing.measured.benchmarks[i];
     EXPECT_EQ(benchmark["name"], measured.name);
     EXPECT_EQ(benchmark["verdict"], std::string(name_of(report.concluded[i].verdict)));
     ASSERT_EQ(benchmark["blocks"].size(), measured.blocks.size());
     ASSERT_EQ(benchmark["control_blocks"].size(), measured.control.size());
     for (std::size_t b = 0; b < measured.blocks.size(); ++b) {
-      const json& block = benchmark["blocks"][b];
+      const Json& block = benchmark["blocks"][b];
       EXPECT_EQ(block["block"], b);
       EXPECT_EQ(block["new_s"].get<std::vector<double>>(), measured.blocks[b].other);
       EXPECT_EQ(block["log_ratio"], measured.blocks[b].log_ratio());
       ASSERT_EQ(block["processes"].size(), 4u);
       EXPECT_EQ(block["processes"][0]["side"], block["order"] == "ABBA" ? "base" : "new");
-      EXPECT_EQ(block["processes"][0]["samples"], json::parse("[[10, 0.01, 0.011]]"));
+      EXPECT_EQ(block["processes"][0]["samples"], Json::parse("[[10, 0.01, 0.011]]"));
       EXPECT_EQ(benchmark["control_blocks"][b]["processes"][0]["side"], "base");
     }
   }
 }
 
 TEST(ComparisonJson, SaysWhatWasNotMeasured) {
-  const json document = json::parse(comparison_json(example_report()));
-  const json& wrong = document["benchmarks"][4];
+  const Json document = Json::parse(comparison_json(example_report()));
+  const Json& wrong = document["benchmarks"][4];
   EXPECT_EQ(wrong["verdict"], "wrong answer");
   EXPECT_TRUE(wrong["ratio"].is_null());
   EXPECT_TRUE(wrong["iterations"].is_null());
@@ -54,7 +54,7 @@ TEST(ComparisonJson, SaysWhatWasNotMeasured) {
 TEST(ComparisonJson, SaysWhichTrialFailedAtWhichStep) {
   ComparisonReport report;
   report.failed_trials = {{"new", "b.so", "crashed", "SIGSEGV in associate() in iteration 2"}};
-  const json document = json::parse(comparison_json(report));
+  const Json document = Json::parse(comparison_json(report));
   ASSERT_EQ(document["failed_trials"].size(), 1u);
   EXPECT_EQ(document["failed_trials"][0]["side"], "new");
   EXPECT_EQ(document["failed_trials"][0]["given"], "b.so");
@@ -62,17 +62,17 @@ TEST(ComparisonJson, SaysWhichTrialFailedAtWhichStep) {
   EXPECT_EQ(document["failed_trials"][0]["detail"], "SIGSEGV in associate() in iteration 2");
   EXPECT_EQ(document["summary"], "new failed its trial, so nothing was timed");
   EXPECT_TRUE(document["benchmarks"].empty());
-  EXPECT_TRUE(json::parse(comparison_json(example_report()))["failed_trials"].empty());
+  EXPECT_TRUE(Json::parse(comparison_json(example_report()))["failed_trials"].empty());
 }
 
 TEST(ComparisonJson, KeepsWhatWasTimedBesideAStoredResult) {
   ComparisonReport report = example_report();
-  EXPECT_TRUE(json::parse(comparison_json(report))["results"]["new"].is_null());
+  EXPECT_TRUE(Json::parse(comparison_json(report))["results"]["new"].is_null());
   report.other_result = StoredResult{
       .origin = {.given = "build", .kind = "build"},
       .seed = 8,
       .benchmarks = {{.name = "a", .processes = {{1e-3, 2e-3}, {3e-3}}, .is_by_process = true}}};
-  const json results = json::parse(comparison_json(report))["results"];
+  const Json results = Json::parse(comparison_json(report))["results"];
   EXPECT_TRUE(results["base"].is_null());
   const StoredResult kept = stored_result_from(results["new"].dump(), "results");
   ASSERT_EQ(kept.benchmarks.size(), 1u);
@@ -82,7 +82,7 @@ TEST(ComparisonJson, KeepsWhatWasTimedBesideAStoredResult) {
 TEST(ComparisonJson, SurvivesNamesThatAreNoText) {
   ComparisonReport report = example_report();
   report.concluded[0].reason = "half \xc3";
-  EXPECT_TRUE(json::accept(comparison_json(report)));
+  EXPECT_TRUE(Json::accept(comparison_json(report)));
 }
 
 TEST(ComparisonJson, NeedsAVerdictForEachBenchmark) {

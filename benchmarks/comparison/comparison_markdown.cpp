@@ -32,7 +32,7 @@ std::string fitting(const std::vector<std::string>& rows, std::size_t most_bytes
   return text;
 }
 
-bool is_change(SpeedVerdict verdict) {
+bool is_worth_a_line(SpeedVerdict verdict) {
   return verdict == SpeedVerdict::wrong_answer || verdict == SpeedVerdict::slower ||
          verdict == SpeedVerdict::nothing_measured || verdict == SpeedVerdict::faster;
 }
@@ -45,7 +45,7 @@ std::string change(const ConcludedBenchmark& benchmark) {
 std::string changes(const ComparisonReport& report) {
   std::vector<std::string> rows;
   for (const ConcludedBenchmark* benchmark : by_weight(report))
-    if (is_change(benchmark->verdict)) rows.push_back(change(*benchmark));
+    if (is_worth_a_line(benchmark->verdict)) rows.push_back(change(*benchmark));
   if (rows.empty()) return "";
   return "### What changed\n\n" + fitting(rows, most_changes_bytes) + "\n";
 }

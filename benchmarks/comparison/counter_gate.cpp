@@ -19,7 +19,7 @@ namespace {
 using nlohmann::ordered_json;
 using Kind = CounterChangeKind;
 
-constexpr const char* schema = "phytobench/counters-1";
+constexpr const char* counters_schema = "phytobench/counters-1";
 
 [[noreturn]] void refuse(const std::string& file, const std::string& problem) {
   throw InputError(fmt::format(
@@ -165,7 +165,7 @@ std::string to_json(const CounterBaseline& baseline) {
 
 std::string to_json(const CounterDocument& document) {
   ordered_json json;
-  json["schema"] = schema;
+  json["schema"] = counters_schema;
   if (document.origin) json["origin"] = origin_json(*document.origin);
   json["benchmarks"] = ordered_json::object();
   for (const auto& [name, benchmark] : document.benchmarks) {
@@ -184,8 +184,8 @@ CounterBaseline counter_baseline_from(const std::string& text, const std::string
 CounterDocument counter_document_from(const std::string& text, const std::string& file) {
   const ordered_json json = ordered_json::parse(text, nullptr, false);
   if (json.is_discarded()) refuse(file, "is not JSON, or breaks off");
-  if (!json.is_object() || !json.contains("schema") || json["schema"] != schema)
-    refuse(file, fmt::format("its schema is not {}", schema));
+  if (!json.is_object() || !json.contains("schema") || json["schema"] != counters_schema)
+    refuse(file, fmt::format("its schema is not {}", counters_schema));
   if (!json.contains("benchmarks") || !json["benchmarks"].is_object())
     refuse(file, "has no \"benchmarks\"");
   CounterDocument document;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "benchmarks/comparison/text_fixture.hpp"
 #include "core/contract/errors.hpp"
 
 namespace phytobench {
@@ -29,7 +30,7 @@ std::vector<std::string> lines(const CounterBaseline& before, const CounterBasel
   return texts;
 }
 
-void expect_refused(const std::string& text, const std::string& problem) {
+void expect_counters_refused(const std::string& text, const std::string& problem) {
   try {
     counter_baseline_from(text, "counters.json");
     ADD_FAILURE() << "accepted: " << text;
@@ -41,11 +42,7 @@ void expect_refused(const std::string& text, const std::string& problem) {
 
 /// The file of two_benchmarks() with one place of it replaced.
 std::string damaged(const std::string& place, const std::string& by) {
-  std::string text = to_json(two_benchmarks());
-  const std::size_t found = text.find(place);
-  EXPECT_NE(found, std::string::npos) << place;
-  if (found != std::string::npos) text.replace(found, place.size(), by);
-  return text;
+  return replaced(to_json(two_benchmarks()), place, by);
 }
 
 TEST(CounterGate, EqualCountersAreNoChange) {
@@ -149,21 +146,21 @@ TEST(CounterFile, KeepsTheBuildThatWasCounted) {
   EXPECT_FALSE(counter_document_from(to_json(two_benchmarks()), "f").origin);
   std::string damaged_origin = to_json(document);
   damaged_origin.replace(damaged_origin.find("\"0123456789ab\""), 14, "7");
-  expect_refused(damaged_origin, "\"origin\" is damaged");
+  expect_counters_refused(damaged_origin, "\"origin\" is damaged");
 }
 
 TEST(CounterFile, DamageIsNamed) {
-  expect_refused("", "is not JSON");
-  expect_refused("[]", "schema");
-  expect_refused("{}", "schema");
-  expect_refused(R"({"schema": "phytobench/counters-1"})", "benchmarks");
-  expect_refused(damaged("counters-1", "counters-2"), "schema");
-  expect_refused(damaged("1234567", "-1"), "tests of 'overlap/sweep/equal'");
-  expect_refused(damaged("1234567", "1.5"), "no whole number");
-  expect_refused(damaged("1234567", "\"7\""), "no whole number");
-  expect_refused(damaged(some_inputs, "abc"), "inputs");
-  expect_refused(damaged("\"counters\"", "\"counter\""), "has no \"counters\"");
-  expect_refused(to_json(two_benchmarks()).substr(0, 100), "breaks off");
+  expect_counters_refused("", "is not JSON");
+  expect_counters_refused("[]", "schema");
+  expect_counters_refused("{}", "schema");
+  expect_counters_refused(R"({"schema": "phytobench/counters-1"})", "benchmarks");
+  expect_counters_refused(damaged("counters-1", "counters-2"), "schema");
+  expect_counters_refused(damaged("1234567", "-1"), "tests of 'overlap/sweep/equal'");
+  expect_counters_refused(damaged("1234567", "1.5"), "no whole number");
+  expect_counters_refused(damaged("1234567", "\"7\""), "no whole number");
+  expect_counters_refused(damaged(some_inputs, "abc"), "inputs");
+  expect_counters_refused(damaged("\"counters\"", "\"counter\""), "has no \"counters\"");
+  expect_counters_refused(to_json(two_benchmarks()).substr(0, 100), "breaks off");
 }
 
 TEST(CountingWorker, OfAnotherBuildIsRefused) {
@@ -187,8 +184,9 @@ TEST(CountingWorker, OfAnotherBuildIsRefused) {
 }
 
 TEST(CounterFile, WhatAMergeLeftTwiceIsRefused) {
-  expect_refused(damaged("\"pairs\": 12,", "\"pairs\": 11,\n        \"pairs\": 12,"), "twice");
-  expect_refused(to_json(two_benchmarks()) + "\n", "as the program writes it");
+  expect_counters_refused(damaged("\"pairs\": 12,", "\"pairs\": 11,\n        \"pairs\": 12,"),
+                          "twice");
+  expect_counters_refused(to_json(two_benchmarks()) + "\n", "as the program writes it");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ constexpr bool is_sanitized = true;
 constexpr bool is_sanitized = false;
 #endif
 
-const std::string whole = "nearest-node/blocked_scan/dn";
+const std::string whole_scan = "nearest-node/blocked_scan/dn";
 const std::string watched_name = "nearest-node/some_engine/dn";
 
 WatchedBenchmark benchmark_named(const std::string& name) {
@@ -73,14 +73,15 @@ double share_of(const VerifiedBenchmark& after, const VerifiedBenchmark& before,
 }
 
 TEST(GateBreakage, TheSameEngineAgainPasses) {
-  const VerifiedBenchmark before = run_of(whole), after = run_of(whole);
+  const VerifiedBenchmark before = run_of(whole_scan), after = run_of(whole_scan);
   EXPECT_EQ(before.objection, "");
   EXPECT_EQ(before.answer, after.answer);
   EXPECT_THAT(counter_gate(before, after), IsEmpty());
 }
 
 TEST(GateBreakage, FivePercentMoreEvaluationsAreSeenByTheCounters) {
-  const VerifiedBenchmark before = run_of(whole), after = run_of("nearest-node/looks_twice/dn");
+  const VerifiedBenchmark before = run_of(whole_scan),
+                          after = run_of("nearest-node/looks_twice/dn");
   EXPECT_EQ(after.objection, "") << "the answer is still right";
   const double evaluations = static_cast<double>(before.work.at("search_evaluations"));
   EXPECT_GT(evaluations, 10000.0);
@@ -92,7 +93,8 @@ TEST(GateBreakage, FivePercentMoreEvaluationsAreSeenByTheCounters) {
 }
 
 TEST(GateBreakage, ARemovedPruningStepIsSeenByTheCounters) {
-  const VerifiedBenchmark before = run_of(whole), after = run_of("nearest-node/never_prunes/dn");
+  const VerifiedBenchmark before = run_of(whole_scan),
+                          after = run_of("nearest-node/never_prunes/dn");
   EXPECT_EQ(after.objection, "") << "the answer is still right";
   EXPECT_GT(share_of(after, before, "search_evaluations"), 1.05);
   EXPECT_THAT(counter_gate(before, after), testing::Contains(HasSubstr("search_evaluations")));
@@ -116,7 +118,8 @@ std::optional<VerifiedBenchmark> counted_run_of(const std::string& name) {
 }
 
 TEST(GateBreakage, ACopyPerQueryIsSeenByTheAllocations) {
-  const auto before = counted_run_of(whole), after = counted_run_of("nearest-node/copies_nodes/dn");
+  const auto before = counted_run_of(whole_scan),
+             after = counted_run_of("nearest-node/copies_nodes/dn");
   if (!before || !after)
     GTEST_SKIP() << "allocations are counted in the preset 'counters' only; build it with "
                     "cmake/check-gates";
@@ -128,7 +131,7 @@ TEST(GateBreakage, ACopyPerQueryIsSeenByTheAllocations) {
 }
 
 TEST(GateBreakage, ACopyPerQueryIsNotSeenByAnyOtherCounter) {
-  VerifiedBenchmark before = run_of(whole), after = run_of("nearest-node/copies_nodes/dn");
+  VerifiedBenchmark before = run_of(whole_scan), after = run_of("nearest-node/copies_nodes/dn");
   for (VerifiedBenchmark* run : {&before, &after})
     for (const char* counter : {"allocations", "allocated_bytes"}) run->work.erase(counter);
   EXPECT_THAT(counter_gate(before, after), IsEmpty());
@@ -183,8 +186,8 @@ TEST_F(CallgrindGateSlow, CountsOfOneProgramAgreeWhereverItLies) {
       ("phytobench-a-folder-with-a-much-longer-name-" + std::to_string(::getpid()));
   fs::create_directories(folder);
   fs::copy_file(PHYTOBENCH_BROKEN_WORKER, folder / "worker", fs::copy_options::overwrite_existing);
-  const InstructionCount first = count_of(whole), again = count_of(whole),
-                         elsewhere = count_of(whole, folder / "worker");
+  const InstructionCount first = count_of(whole_scan), again = count_of(whole_scan),
+                         elsewhere = count_of(whole_scan, folder / "worker");
   fs::remove_all(folder);
   // Not to the last instruction: up to a thousand of 27 million were seen to come and go. The gate
   // notes twenty times as much.
@@ -196,7 +199,8 @@ TEST_F(CallgrindGateSlow, CountsOfOneProgramAgreeWhereverItLies) {
 }
 
 TEST_F(CallgrindGateSlow, ACopyPerQueryIsSeenByTheInstructions) {
-  const InstructionCount before = count_of(whole), after = count_of("nearest-node/copies_nodes/dn");
+  const InstructionCount before = count_of(whole_scan),
+                         after = count_of("nearest-node/copies_nodes/dn");
   EXPECT_EQ(before.answer, after.answer) << "the answer is still right";
   const JudgedInstructions verdict = judged(before, after);
   EXPECT_EQ(verdict.verdict, InstructionVerdict::more);

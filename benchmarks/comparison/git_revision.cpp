@@ -16,13 +16,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double limit_s = 300.0;
+constexpr double git_limit_s = 300.0;
 
 ChildResult run_in(const fs::path& folder, std::vector<std::string> command) {
   return run_child({.command = std::move(command),
                     .folder = folder,
                     .environment = {{"LC_ALL", "C"}},
-                    .limit_s = limit_s});
+                    .limit_s = git_limit_s});
 }
 
 /// Without the line end.
@@ -33,7 +33,7 @@ std::string text_of(const ChildResult& result) {
 void demand(const ChildResult& result, const std::string& what) {
   if (result.is_ok()) return;
   throw EnvironmentError(
-      fmt::format("{} {}: {}", what, ending_of(result, limit_s), last_line(result.err)));
+      fmt::format("{} {}: {}", what, ending_of(result, git_limit_s), last_line(result.err)));
 }
 
 bool is_commit(const std::string& text) {

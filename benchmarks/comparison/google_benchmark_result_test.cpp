@@ -57,7 +57,7 @@ StoredResult read(const std::string& entries) {
   return google_benchmark_result_from(written(entries), "g.json");
 }
 
-std::string complaint(const std::string& json) {
+std::string google_complaint(const std::string& json) {
   return input_error([&] { google_benchmark_result_from(json, "g.json"); });
 }
 
@@ -93,7 +93,8 @@ TEST(GoogleBenchmarkResult, UnitsBecomeSeconds) {
   for (const StoredBenchmark& benchmark : result.benchmarks)
     seconds.push_back(benchmark.repetitions().at(0));
   EXPECT_THAT(seconds, ElementsAre(DoubleEq(3e-9), DoubleEq(3e-6), DoubleEq(3e-3), DoubleEq(3.0)));
-  EXPECT_THAT(complaint(written(iteration("w", "1", "3", "weeks"))), HasSubstr("no unit of time"));
+  EXPECT_THAT(google_complaint(written(iteration("w", "1", "3", "weeks"))),
+              HasSubstr("no unit of time"));
 }
 
 TEST(GoogleBenchmarkResult, ErrorsAndZerosAreObjectionsWithoutTimes) {
@@ -134,14 +135,14 @@ TEST(GoogleBenchmarkResult, KeepsTheMachineButNotItsName) {
 
 TEST(GoogleBenchmarkResult, DamageAndImpossibleTimesAreOneLine) {
   for (const char* wrong : {"-1", "NaN", "-Infinity"})
-    EXPECT_THAT(complaint(written(iteration("a", "1", wrong))),
+    EXPECT_THAT(google_complaint(written(iteration("a", "1", wrong))),
                 StartsWith("g.json: benchmark 'a': a time of"));
   const std::string whole = written(iteration("a", "1", "2"));
   for (const std::string& text :
        {whole.substr(0, whole.size() - 5), written("7"), written(R"({"name": 3})"),
         written(R"({"name": "a", "run_type": "iteration"})"), std::string("{}")}) {
-    EXPECT_THAT(complaint(text), StartsWith("g.json: ")) << text;
-    EXPECT_EQ(complaint(text).find('\n'), std::string::npos) << complaint(text);
+    EXPECT_THAT(google_complaint(text), StartsWith("g.json: ")) << text;
+    EXPECT_EQ(google_complaint(text).find('\n'), std::string::npos) << google_complaint(text);
   }
 }
 

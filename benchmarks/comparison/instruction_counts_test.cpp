@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "benchmarks/comparison/text_fixture.hpp"
 #include "core/contract/errors.hpp"
 
 namespace phytobench {
@@ -20,21 +21,13 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string whole =
+const std::string callgrind_file =
     "# callgrind format\nversion: 1\ncreator: callgrind-3.19.0\npid: 4711\n"
     "cmd:  ./worker once a/b\npart: 1\n\n\ndesc: I1 cache: \ndesc: Trigger: Program termination\n\n"
     "positions: line\nevents: Ir\nsummary: 130632\n\n\nob=(1) /usr/lib/ld.so\nfl=(1) ???\n"
     "fn=(1) 0x1\n0 130632\n\ntotals: 130632\n";
 
-std::string with(const std::string& place, const std::string& by) {
-  std::string text = whole;
-  const std::size_t found = text.find(place);
-  EXPECT_NE(found, std::string::npos) << place;
-  if (found != std::string::npos) text.replace(found, place.size(), by);
-  return text;
-}
-
-void expect_refused(const std::string& text, const std::string& problem) {
+void expect_callgrind_refused(const std::string& text, const std::string& problem) {
   try {
     callgrind_totals_from(text, "this count");
     ADD_FAILURE() << "accepted: " << text;
@@ -45,11 +38,12 @@ void expect_refused(const std::string& text, const std::string& problem) {
 }
 
 TEST(CallgrindTotals, AreReadFromTheLastLine) {
-  EXPECT_EQ(callgrind_totals_from(whole, "x"), (CallgrindTotals{130632, std::nullopt}));
+  EXPECT_EQ(callgrind_totals_from(callgrind_file, "x"), (CallgrindTotals{130632, std::nullopt}));
 }
 
 TEST(CallgrindTotals, HaveMissesWhereACacheWasSimulated) {
-  const std::string text = with("totals: 130632", "totals: 1000 200 100 1 30 4 5 6 7");
+  const std::string text =
+      replaced(callgrind_file, "totals: 130632", "totals: 1000 200 100 1 30 4 5 6 7");
   const std::string events = "events: Ir Dr Dw I1mr D1mr D1mw ILmr DLmr DLmw";
   std::string simulated = text;
   simulated.replace(simulated.find("events: Ir"), std::string("events: Ir").size(), events);
@@ -57,21 +51,24 @@ TEST(CallgrindTotals, HaveMissesWhereACacheWasSimulated) {
 }
 
 TEST(CallgrindTotals, ZerosAtTheEndMayBeMissing) {
-  std::string text = with("totals: 130632", "totals: 77");
+  std::string text = replaced(callgrind_file, "totals: 130632", "totals: 77");
   text.replace(text.find("events: Ir"), std::string("events: Ir").size(), "events: Ir Bc Bcm");
   EXPECT_EQ(callgrind_totals_from(text, "x").instructions, 77u);
 }
 
 TEST(CallgrindTotals, DamageIsNamed) {
-  expect_refused("", "events:");
-  expect_refused(whole.substr(0, whole.find("totals:")), "no line 'totals:'");
-  expect_refused(with("events: Ir", "events: Bc"), "no instructions");
-  expect_refused(with("totals: 130632", "totals:"), "0 totals");
-  expect_refused(with("totals: 130632", "totals: 13x"), "'13x'");
-  expect_refused(with("totals: 130632", "totals: -5"), "'-5'");
-  expect_refused(with("totals: 130632", "totals: 99999999999999999999"), "no count");
-  expect_refused(with("totals: 130632", "totals: 1 2"), "2 totals of 1");
-  expect_refused(whole + whole, "twice");
+  expect_callgrind_refused("", "events:");
+  expect_callgrind_refused(callgrind_file.substr(0, callgrind_file.find("totals:")),
+                           "no line 'totals:'");
+  expect_callgrind_refused(replaced(callgrind_file, "events: Ir", "events: Bc"), "no instructions");
+  expect_callgrind_refused(replaced(callgrind_file, "totals: 130632", "totals:"), "0 totals");
+  expect_callgrind_refused(replaced(callgrind_file, "totals: 130632", "totals: 13x"), "'13x'");
+  expect_callgrind_refused(replaced(callgrind_file, "totals: 130632", "totals: -5"), "'-5'");
+  expect_callgrind_refused(
+      replaced(callgrind_file, "totals: 130632", "totals: 99999999999999999999"), "no count");
+  expect_callgrind_refused(replaced(callgrind_file, "totals: 130632", "totals: 1 2"),
+                           "2 totals of 1");
+  expect_callgrind_refused(callgrind_file + callgrind_file, "twice");
 }
 
 /// A shell script in the place of the worker.

@@ -16,7 +16,7 @@ namespace {
 
 /// Positions of the numbers after "cpu": user nice system idle iowait irq softirq steal. Two more
 /// follow, guest and guest_nice, which are already in user and nice.
-constexpr std::size_t idle = 3, disk_wait = 4, steal = 7, counted = 8;
+constexpr std::size_t idle = 3, disk_wait = 4, steal = 7, counted_times = 8;
 
 double share(std::uint64_t part_before, std::uint64_t part_after, const ProcessorTicks& before,
              const ProcessorTicks& after) {
@@ -33,10 +33,11 @@ ProcessorTicks processor_ticks_from(const std::string& stat) {
   std::string name;
   std::vector<std::uint64_t> ticks;
   line >> name;
-  for (std::uint64_t number = 0; ticks.size() < counted && line >> number;) ticks.push_back(number);
+  for (std::uint64_t number = 0; ticks.size() < counted_times && line >> number;)
+    ticks.push_back(number);
   if (name != "cpu" || ticks.size() <= idle)
     throw EnvironmentError("/proc/stat does not begin with the times of all processors");
-  ticks.resize(counted);
+  ticks.resize(counted_times);
   ProcessorTicks result{.idle = ticks[idle] + ticks[disk_wait], .steal = ticks[steal]};
   for (const std::uint64_t number : ticks) result.total += number;
   return result;

@@ -14,7 +14,7 @@ namespace {
 /// library's work by up to this.
 constexpr double same_work = InstructionRules{}.noted;
 
-bool is_change(SpeedVerdict verdict) {
+bool is_change_of_speed(SpeedVerdict verdict) {
   return verdict == SpeedVerdict::slower || verdict == SpeedVerdict::faster;
 }
 
@@ -28,14 +28,14 @@ bool is_counted(const CountedPair& pair) {
 std::vector<std::string> names_to_count(const std::vector<ConcludedBenchmark>& concluded) {
   std::vector<std::string> names;
   for (const ConcludedBenchmark& benchmark : concluded)
-    if (is_change(benchmark.verdict)) names.push_back(benchmark.name);
+    if (is_change_of_speed(benchmark.verdict)) names.push_back(benchmark.name);
   return names;
 }
 
 void consider_instructions(std::vector<ConcludedBenchmark>& concluded,
                            const std::vector<CountedPair>& counted) {
   for (ConcludedBenchmark& benchmark : concluded) {
-    if (!is_change(benchmark.verdict)) continue;
+    if (!is_change_of_speed(benchmark.verdict)) continue;
     const auto pair = std::find_if(counted.begin(), counted.end(), [&](const CountedPair& one) {
       return one.benchmark == benchmark.name;
     });

@@ -20,7 +20,7 @@ namespace phytobench {
 namespace {
 
 /// Larger programs are not compared; a debug build of everything has some 100 MB.
-constexpr std::uintmax_t most_bytes = std::uintmax_t{2} << 30;
+constexpr std::uintmax_t most_program_bytes = std::uintmax_t{2} << 30;
 
 /// Reads a file that may be damaged: nothing in it is believed unchecked.
 class ElfFile {
@@ -118,7 +118,7 @@ std::string program_digest(std::string_view content, std::string_view name) {
 }
 
 std::string program_digest(const std::filesystem::path& file) {
-  return program_digest(read_text_file(file, most_bytes), file.string());
+  return program_digest(read_text_file(file, most_program_bytes), file.string());
 }
 
 }  // namespace phytobench

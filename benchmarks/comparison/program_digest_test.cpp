@@ -65,7 +65,7 @@ std::string elf(const std::vector<Section>& sections, std::size_t gap = 0) {
 
 const Section code{.name = ".text", .content = "code", .flags = SHF_ALLOC | SHF_EXECINSTR};
 const Section zeros{.name = ".bss", .type = SHT_NOBITS, .size = 1ull << 40};
-const Section build{.name = ".note.gnu.build-id", .content = "1234"};
+const Section build_id{.name = ".note.gnu.build-id", .content = "1234"};
 const Section symbols{.name = ".symtab", .content = "/a/path", .flags = 0};
 
 std::string digest(const std::string& file) {
@@ -77,11 +77,11 @@ std::string problem(const std::string& file) {
 }
 
 TEST(ProgramDigest, IsThatOfWhatIsLoaded) {
-  const std::string expected = digest(elf({code, zeros, build, symbols}));
+  const std::string expected = digest(elf({code, zeros, build_id, symbols}));
   EXPECT_EQ(expected.size(), 64u);
   EXPECT_EQ(digest(elf({code, zeros})), expected);
-  EXPECT_EQ(digest(elf({symbols, code, build, zeros}, 13)), expected);
-  Section other_build = build, other_symbols = symbols;
+  EXPECT_EQ(digest(elf({symbols, code, build_id, zeros}, 13)), expected);
+  Section other_build = build_id, other_symbols = symbols;
   other_build.content = "5678";
   other_symbols.content = "/another/path";
   EXPECT_EQ(digest(elf({code, zeros, other_build, other_symbols})), expected);
@@ -108,7 +108,7 @@ TEST(ProgramDigest, NeedsAnElfFileOfThisMachine) {
   file = elf({code});
   file[EI_DATA] = ELFDATA2MSB;
   EXPECT_THAT(problem(file), HasSubstr("another byte order"));
-  EXPECT_THAT(problem(elf({symbols, build})), HasSubstr("nothing of it would be loaded"));
+  EXPECT_THAT(problem(elf({symbols, build_id})), HasSubstr("nothing of it would be loaded"));
   file = elf({code});
   std::memset(file.data() + offsetof(Elf64_Ehdr, e_shoff), 0, 8);
   EXPECT_THAT(problem(file), HasSubstr("has no section table"));
@@ -141,13 +141,13 @@ TEST(ProgramDigest, CountsMoreSectionsThanTheHeaderCanHold) {
 }
 
 TEST(ProgramDigest, OfAFileThatEndsEarlyIsRefused) {
-  const std::string file = elf({code, zeros, build, symbols});
+  const std::string file = elf({code, zeros, build_id, symbols});
   for (std::size_t size = 0; size < file.size(); ++size)
     EXPECT_NE(problem(file.substr(0, size)), "no error") << size;
 }
 
 TEST(ProgramDigest, OfADamagedFileIsAnotherOrRefusedButNeverACrash) {
-  const std::string file = elf({code, zeros, build, symbols});
+  const std::string file = elf({code, zeros, build_id, symbols});
   for (std::size_t at = 0; at < file.size(); ++at)
     for (const int mask : {0x01, 0x80, 0xff}) {
       std::string damaged = file;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "benchmarks/comparison/text_fixture.hpp"
 #include "core/record/run_folder_fixture.hpp"
 
 namespace phytobench {
@@ -35,13 +36,7 @@ StoredResult some_result() {
                           .is_by_process = true}}};
 }
 
-std::string replaced(std::string text, const std::string& before, const std::string& after) {
-  const std::size_t place = text.find(before);
-  EXPECT_NE(place, std::string::npos) << before;
-  return text.replace(place, before.size(), after);
-}
-
-std::string complaint(const std::string& json) {
+std::string stored_complaint(const std::string& json) {
   return input_error([&] { stored_result_from(json, "r.json"); });
 }
 
@@ -76,12 +71,12 @@ TEST(StoredResult, RepetitionIsAProcessWhereProcessesAreKnown) {
 TEST(StoredResult, ImpossibleTimesAreRefused) {
   const std::string json = to_json(some_result());
   for (const char* wrong : {"-0.4", "0", "NaN", "Infinity", "null"})
-    EXPECT_THAT(complaint(replaced(json, "0.4", wrong)),
+    EXPECT_THAT(stored_complaint(replaced(json, "0.4", wrong)),
                 StartsWith("r.json: benchmark 'a/one': a time of"))
         << wrong;
-  EXPECT_THAT(complaint(replaced(json, "\"seconds\": 0.5", "\"seconds\": 0.0")),
+  EXPECT_THAT(stored_complaint(replaced(json, "\"seconds\": 0.5", "\"seconds\": 0.0")),
               HasSubstr("reference 'reference kernel'"));
-  EXPECT_THAT(complaint(replaced(json, "a/two", "a/one")), HasSubstr("is there twice"));
+  EXPECT_THAT(stored_complaint(replaced(json, "a/two", "a/one")), HasSubstr("is there twice"));
 }
 
 TEST(StoredResult, DamageIsOneLine) {
@@ -90,8 +85,8 @@ TEST(StoredResult, DamageIsOneLine) {
        {json.substr(0, json.size() / 2), replaced(json, "\"commit\"", "\"comit\""),
         replaced(json, "\"seed\": 7", "\"seed\": \"x\""), replaced(json, "[\n", "{\n"),
         std::string("[]")}) {
-    EXPECT_THAT(complaint(text), StartsWith("r.json: "));
-    EXPECT_EQ(complaint(text).find('\n'), std::string::npos) << complaint(text);
+    EXPECT_THAT(stored_complaint(text), StartsWith("r.json: "));
+    EXPECT_EQ(stored_complaint(text).find('\n'), std::string::npos) << stored_complaint(text);
   }
 }
 

@@ -13,7 +13,7 @@ namespace phytobench {
 
 namespace {
 
-constexpr double letter = 6.4, row = 18.0, sample = 26.0;  // pixels
+constexpr double letter_width = 6.4, row_height = 18.0, sample_length = 26.0;  // pixels
 
 // The colours' contrast is at least 4:1 to a white and to a dark page.
 constexpr std::array<const char*, curve_colours> colours{
@@ -59,19 +59,19 @@ void CurveLegend::add(const Entry& entry) {
 }
 
 double CurveLegend::draw(double left, double top, double right, std::string& svg) const {
-  if (entries_.empty()) return top - row;
+  if (entries_.empty()) return top - row_height;
   double x = left, y = top;
   for (const Entry& entry : entries_) {
-    const double length = sample + 6.0 + letter * letters(entry.name);
+    const double length = sample_length + 6.0 + letter_width * letters(entry.name);
     if (x > left && x + length > right) {
       x = left;
-      y += row;
+      y += row_height;
     }
     const bool dot = entry.style == CurveStyle::points;
     svg += fmt::format("<path fill=\"none\" {} d=\"M{:.1f} {:.1f}h{}\"/>\n",
-                       curve_stroke(entry.style, entry.colour), dot ? x + 0.5 * sample : x, y - 4.0,
-                       dot ? 0.0 : sample);
-    svg += svg_text(x + sample + 6.0, y, "start", entry.name);
+                       curve_stroke(entry.style, entry.colour), dot ? x + 0.5 * sample_length : x,
+                       y - 4.0, dot ? 0.0 : sample_length);
+    svg += svg_text(x + sample_length + 6.0, y, "start", entry.name);
     x += length + 18.0;
   }
   return y;
