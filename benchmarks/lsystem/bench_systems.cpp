@@ -19,7 +19,7 @@ namespace phytobench {
 
 namespace {
 
-constexpr auto systems = std::to_array<BenchSystem>({
+constexpr auto own_bench_systems = std::to_array<BenchSystem>({
     {"koch_island",
      "axiom: F-F-F-F\n"
      "F -> F-F+F+FF-F-F+F\n"
@@ -73,7 +73,7 @@ std::optional<Counts> counts_after(const LSystem& system, const oracles::D0LStru
 }
 
 std::vector<BenchSystem> known_systems() {
-  std::vector<BenchSystem> known(systems.begin(), systems.end());
+  std::vector<BenchSystem> known(own_bench_systems.begin(), own_bench_systems.end());
   known.insert(known.end(), published_systems().begin(), published_systems().end());
   return known;
 }
@@ -93,7 +93,7 @@ LSystem system_named(const std::string& name) {
 }  // namespace
 
 std::span<const BenchSystem> bench_systems() {
-  return systems;
+  return own_bench_systems;
 }
 
 std::string known_bench_system_names() {

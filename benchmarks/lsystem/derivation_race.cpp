@@ -14,9 +14,9 @@ namespace phytobench {
 
 namespace {
 
-class Race {
+class DerivationRace {
  public:
-  explicit Race(const DerivationRaceRequest& request) : request_(request) {}
+  explicit DerivationRace(const DerivationRaceRequest& request) : request_(request) {}
 
   std::vector<DerivationEntry> run() {
     std::vector<const DerivationCase*> cases;
@@ -92,7 +92,7 @@ class Race {
 }  // namespace
 
 std::vector<DerivationEntry> race_derivations(const DerivationRaceRequest& request) {
-  return Race(request).run();
+  return DerivationRace(request).run();
 }
 
 }  // namespace phytobench

@@ -24,9 +24,9 @@ double seconds_of(const Work& work) {
 }
 
 template <class Segment>
-class Race {
+class DrawingRace {
  public:
-  Race(const DrawingRaceRequest& request, const DrawingJudge& judge)
+  DrawingRace(const DrawingRaceRequest& request, const DrawingJudge& judge)
       : request_(request), workload_(*request.workload), judge_(judge) {}
 
   std::vector<DrawingEntry> run() {
@@ -148,8 +148,8 @@ DrawingRaceResult race_drawings(const DrawingRaceRequest& request) {
   DrawingRaceResult result;
   result.planar = judge.planar();
   result.bound = judge.bound();
-  result.entries = judge.planar() ? Race<PlanarSegment>(request, judge).run()
-                                  : Race<SpatialSegment>(request, judge).run();
+  result.entries = judge.planar() ? DrawingRace<PlanarSegment>(request, judge).run()
+                                  : DrawingRace<SpatialSegment>(request, judge).run();
   return result;
 }
 

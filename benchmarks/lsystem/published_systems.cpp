@@ -10,7 +10,7 @@ namespace phytobench {
 
 namespace {
 
-constexpr auto systems = std::to_array<BenchSystem>({
+constexpr auto zucker_systems = std::to_array<BenchSystem>({
     {"sierpinski_arrowhead",
      "axiom: A\n"
      "A -> B-A-B\n"
@@ -64,7 +64,7 @@ constexpr auto systems = std::to_array<BenchSystem>({
 }  // namespace
 
 std::span<const BenchSystem> published_systems() {
-  return systems;
+  return zucker_systems;
 }
 
 }  // namespace phytobench

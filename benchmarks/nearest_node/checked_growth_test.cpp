@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "benchmarks/nearest_node/awkward_seedlings.hpp"
+#include "benchmarks/nearest_node/engine_fixture.hpp"
 #include "core/colonization/tree_parameters_file.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 #include "core/nearest_node/plugin/engine_plugin.hpp"
@@ -13,10 +14,6 @@
 
 namespace phytobench {
 namespace {
-
-bool is_wrong_on_purpose(const EngineDescriptor& engine) {
-  return engine.summary.starts_with("Wrong on purpose");
-}
 
 /// The thesis' own engines remove points by looking at every pair; others may know better.
 bool is_row_of_table_1(const EngineDescriptor& engine) {
@@ -29,7 +26,6 @@ std::vector<Vector3> flattened(std::vector<Vector3> points, double x, double z) 
 }
 
 std::vector<NamedSeedling> workloads() {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<NamedSeedling> all;
   all.push_back({"random", with_crown_stem(seedling_with(random_cube(900, 1.0), 0.5, 0.3, 15))});
   all.push_back({"lattice", with_crown_stem(seedling_with(lattice(4, 0.25), 0.5, 0.25, 10))});

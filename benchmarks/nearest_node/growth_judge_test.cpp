@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "benchmarks/nearest_node/checked_growth.hpp"
+#include "benchmarks/nearest_node/engine_fixture.hpp"
 #include "benchmarks/nearest_node/growth_trace.hpp"
 #include "benchmarks/nearest_node/workload.hpp"
 #include "core/nearest_node/engine_registry.hpp"
@@ -19,14 +20,9 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
-bool is_wrong_on_purpose(const EngineDescriptor& engine) {
-  return engine.summary.starts_with("Wrong on purpose");
-}
-
-std::vector<NamedSeedling> seedlings() {
+std::vector<NamedSeedling> judged_seedlings() {
   std::vector<NamedSeedling> all;
   all.push_back({"random", with_crown_stem(seedling_with(random_cube(900), 0.5, 0.3, 15))});
   all.push_back({"lattice", with_crown_stem(seedling_with(lattice(4, 0.25), 0.5, 0.25, 10))});
@@ -59,7 +55,7 @@ TEST(GridJudge, VerifiesRightEnginesWithEveryLoopOption) {
 }
 
 TEST(GridJudge, VerifiesWhateverTheSizeAndSeedOfItsSample) {
-  for (const NamedSeedling& tried : seedlings())
+  for (const NamedSeedling& tried : judged_seedlings())
     for (const std::size_t sampled : sample_sizes)
       for (const std::uint64_t seed : {0u, 7u}) {
         const auto judge = make_grid_judge(tried.seedling, seed, sampled);
@@ -77,7 +73,7 @@ TEST(GridJudge, RefusesEveryWrongEngineWhateverTheSizeOfItsSample) {
     ++wrong_engines;
     for (const std::size_t sampled : sample_sizes) {
       bool refused = false;
-      for (const NamedSeedling& tried : seedlings()) {
+      for (const NamedSeedling& tried : judged_seedlings()) {
         const auto judge = make_grid_judge(tried.seedling, 1, sampled);
         const CheckedGrowth checked = grow_checked(*engine, tried.seedling, *judge, {});
         EXPECT_EQ(checked.verified.has_value(), checked.disagreement.empty());
@@ -162,7 +158,7 @@ TEST(LiteralJudge, ExpectsNoCallBeyondTheLast) {
 
 // The two judges know nothing of each other: one has grown the tree itself, the other is told.
 TEST(GrowthJudgeOracle, BothGiveTheSameAnswerToEveryCall) {
-  for (const NamedSeedling& tried : seedlings()) {
+  for (const NamedSeedling& tried : judged_seedlings()) {
     const GrowthOracle oracle(tried.seedling);
     const auto literal = make_literal_judge(oracle);
     const auto grid = make_grid_judge(tried.seedling, 3, no_limit);

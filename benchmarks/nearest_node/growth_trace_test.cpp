@@ -6,15 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "benchmarks/nearest_node/engine_fixture.hpp"
 #include "benchmarks/nearest_node/workload.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 
 namespace phytobench {
 namespace {
-
-bool is_wrong_on_purpose(const EngineDescriptor& engine) {
-  return engine.summary.starts_with("Wrong on purpose");
-}
 
 /// Points on a lattice, and a trunk on it whose nodes are two points apart: what lies between two
 /// nodes is equally near to both, and perceived by both.

@@ -8,14 +8,13 @@
 
 #include <gtest/gtest.h>
 
+#include "benchmarks/nearest_node/engine_fixture.hpp"
 #include "benchmarks/nearest_node/workload.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 #include "core/random/counter_stream.hpp"
 
 namespace phytobench {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Follows a growth and looks at every pair there is.
 class LoopOverAllPairs final : public NearestNodeEngine {
@@ -59,7 +58,7 @@ class LoopOverAllPairs final : public NearestNodeEngine {
   PairFloor floor_;
 };
 
-std::vector<NamedSeedling> seedlings() {
+std::vector<NamedSeedling> counted_seedlings() {
   std::vector<NamedSeedling> all;
   all.push_back({"random", with_crown_stem(seedling_with(random_cube(900, 1.0), 0.5, 0.3, 15))});
   all.push_back({"lattice", with_crown_stem(seedling_with(lattice(4, 0.25), 0.5, 0.25, 10))});
@@ -79,7 +78,7 @@ PairFloor counted_by_loop(const Seedling& seedling, const GrowthRun& run) {
 }
 
 TEST(PairFloor, IsWhatALoopOverAllPairsCounts) {
-  for (const NamedSeedling& tried : seedlings())
+  for (const NamedSeedling& tried : counted_seedlings())
     for (const std::string_view option : loop_option_names)
       for (const int threads : {1, 2}) {
         const GrowthRun run{.options = loop_options_named(option), .threads = threads};
@@ -94,7 +93,7 @@ TEST(PairFloor, IsWhatALoopOverAllPairsCounts) {
 
 // Otherwise the test above could pass by counting nothing, or everything.
 TEST(PairFloor, IsFarFromBothNothingAndAllPairs) {
-  for (const NamedSeedling& tried : seedlings()) {
+  for (const NamedSeedling& tried : counted_seedlings()) {
     const Seedling& seedling = tried.seedling;
     const auto engine = engine_named("squared_scan").create();
     const GrowthResult result = grow_crown(seedling, *engine);
@@ -164,7 +163,7 @@ TEST(PairFloor, OfNoPointIsNothing) {
 // The box of option n and putting a removal off change no tree; a deferred removal only leaves the
 // last one undone.
 TEST(PairFloorLaw, LoopOptionsDoNotChangeTheAssociations) {
-  for (const NamedSeedling& tried : seedlings()) {
+  for (const NamedSeedling& tried : counted_seedlings()) {
     const PairFloor plain = count_pairs(tried.seedling, {});
     for (const std::string_view option : loop_option_names) {
       const PairFloor other = count_pairs(tried.seedling, {.options = loop_options_named(option)});

@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "benchmarks/nearest_node/engine_fixture.hpp"
 #include "core/colonization/tree_parameters_file.hpp"
 #include "core/contract/errors.hpp"
 #include "core/contract/text_file.hpp"
@@ -27,7 +28,6 @@ using testing::StartsWith;
 
 namespace fs = std::filesystem;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// A few roundings of products and cube roots.

@@ -23,7 +23,7 @@ namespace {
 /// Of sums over thousands of arcs, relative to the whole.
 constexpr double rounding_of_sums = 1e-11;
 
-double disc_area_of(double radius) {
+double area_of_radius(double radius) {
   return std::numbers::pi * radius * radius;
 }
 
@@ -55,7 +55,7 @@ double covered_by_strips(std::size_t i, const OverlapWorkload& workload) {
   std::vector<oracles::OracleDisc> discs = neighbours_of(i, workload);
   const double without = union_area(discs);
   discs.push_back({0.0, 0.0, workload.radius[i]});
-  return disc_area_of(workload.radius[i]) - (union_area(discs) - without);
+  return area_of_radius(workload.radius[i]) - (union_area(discs) - without);
 }
 
 std::string objection_to_sum(const char* what, double found, double expected) {
@@ -138,7 +138,7 @@ std::string objection_to_coverage(const Coverage& found, const OverlapWorkload& 
     ground += found.by_times[k];
     weighted += static_cast<double>(k) * found.by_times[k];
   }
-  for (const double radius : workload.radius) all_discs += disc_area_of(radius);
+  for (const double radius : workload.radius) all_discs += area_of_radius(radius);
   std::string wrong =
       objection_to_sum("the ground adds up to", ground, workload.ground.torus->area());
   if (wrong.empty()) wrong = objection_to_sum("times add up to discs of", weighted, all_discs);
@@ -149,7 +149,7 @@ std::string objection_to_coverage(const Coverage& found, const OverlapWorkload& 
     const double expected = covered_by_strips(i, workload);
     constexpr double rounding_of_strips = 1e-10;  // of the disc's area
     if (!(std::abs(found.covered[i] - expected) <=
-          rounding_of_strips * disc_area_of(workload.radius[i])))
+          rounding_of_strips * area_of_radius(workload.radius[i])))
       wrong = fmt::format("disc {}: {:.17g} is covered, by strips {:.17g}", i, found.covered[i],
                           expected);
   }

@@ -21,7 +21,7 @@ namespace {
 namespace paper = oracles::brzoska2019;
 using paper::Point;
 
-constexpr double rounding = 1e-9;
+constexpr double ring_rounding = 1e-9;
 
 /// v turned by the smallest rotation that takes one unit vector to another.
 Point carried(const Point& v, const Point& from, const Point& to) {
@@ -98,13 +98,15 @@ class BranchMeshCheck {
   std::string_view wrong_with_corner(std::size_t k, std::size_t i, const Point& first) const {
     const Point& looks = expected_.rings[k].looks;
     const Point found = at_.outward(at_.first_vertex(k) + i);
-    if (!(std::abs(length(found) - 1.0) <= rounding)) return "not at the radius from the center";
-    if (!(std::abs(scalar_product(found, looks)) <= rounding)) return "not in the ring's plane";
+    if (!(std::abs(length(found) - 1.0) <= ring_rounding))
+      return "not at the radius from the center";
+    if (!(std::abs(scalar_product(found, looks)) <= ring_rounding))
+      return "not in the ring's plane";
     const double turn =
         2.0 * std::numbers::pi * static_cast<double>(i) / options_.circle_resolution;
     const Point expected =
         plus(times(std::cos(turn), first), times(std::sin(turn), vector_product(first, looks)));
-    return length(minus(found, expected)) <= rounding ? "" : "turned away from its place";
+    return length(minus(found, expected)) <= ring_rounding ? "" : "turned away from its place";
   }
 
   std::string texture() const {
@@ -112,8 +114,8 @@ class BranchMeshCheck {
       const TexturePoint& found = mesh_.texture_points[v];
       const double u = static_cast<double>(at_.corner_of(v)) / static_cast<double>(corners_);
       const double height = expected_.rings[at_.ring_of(v)].height / options_.texture_length;
-      if (!(std::abs(found.u - u) <= rounding) ||
-          !(std::abs(found.v - height) <= rounding * std::max(1.0, height)))
+      if (!(std::abs(found.u - u) <= ring_rounding) ||
+          !(std::abs(found.v - height) <= ring_rounding * std::max(1.0, height)))
         return fmt::format("vertex {}: texture point ({:.17g}, {:.17g}) instead of ({}, {})", v,
                            found.u, found.v, u, height);
     }

@@ -13,12 +13,12 @@ namespace phytobench {
 
 namespace {
 
-constexpr double rounding = 1e-9;
+constexpr double leaf_rounding = 1e-9;
 constexpr double deviations = 5.0;  // exceeded once in two million
 
 /// Whether the mean of `count` numbers of this standard deviation is likely.
 bool is_likely(double mean, double expected, double deviation, double count) {
-  return std::abs(mean - expected) <= deviations * deviation / std::sqrt(count) + rounding;
+  return std::abs(mean - expected) <= deviations * deviation / std::sqrt(count) + leaf_rounding;
 }
 
 std::string objection_to_number(std::size_t leaves, double bearing, double per_node) {
@@ -33,8 +33,8 @@ std::string objection_to_number(std::size_t leaves, double bearing, double per_n
 double place_on_edge(const Vector3& place, const Vector3& from, const Vector3& to) {
   const Vector3 edge = to - from;
   const double share = dot(place - from, edge) / squared_norm(edge);
-  const bool is_on_it = norm(from + share * edge - place) <= rounding * norm(edge) &&
-                        share >= -rounding && share <= 1.0 + rounding;
+  const bool is_on_it = norm(from + share * edge - place) <= leaf_rounding * norm(edge) &&
+                        share >= -leaf_rounding && share <= 1.0 + leaf_rounding;
   return is_on_it ? share : std::nan("");
 }
 
@@ -59,19 +59,20 @@ class LeafSide {
     for (std::size_t i = 0; i < 4; ++i) {
       const double away = norm(corner(i) - leaf.position);
       const double side = norm(corner(i + 1) - corner(i));
-      if (!(std::abs(away - std::sqrt(0.5) * leaf.size) <= rounding * leaf.size)) return false;
-      if (!(std::abs(side - leaf.size) <= rounding * leaf.size)) return false;
+      if (!(std::abs(away - std::sqrt(0.5) * leaf.size) <= leaf_rounding * leaf.size)) return false;
+      if (!(std::abs(side - leaf.size) <= leaf_rounding * leaf.size)) return false;
     }
     const Vector3 middle = 0.5 * (corner(0) + corner(2));
-    return norm(middle - leaf.position) <= rounding * leaf.size;
+    return norm(middle - leaf.position) <= leaf_rounding * leaf.size;
   }
 
   bool has_one_normal(double size) const {
     for (std::size_t i = 0; i < 4; ++i) {
       if (mesh_.normals[4 * k_ + i] != normal()) return false;
-      if (!(std::abs(dot(normal(), corner(i + 1) - corner(i))) <= rounding * size)) return false;
+      if (!(std::abs(dot(normal(), corner(i + 1) - corner(i))) <= leaf_rounding * size))
+        return false;
     }
-    return std::abs(norm(normal()) - 1.0) <= rounding;
+    return std::abs(norm(normal()) - 1.0) <= leaf_rounding;
   }
 
   /// Two triangles of three of the four corners each, so each half of the square; they are not the
@@ -117,9 +118,9 @@ std::string objection_to_square(const TriangleMesh& mesh, std::size_t square, co
   const LeafSide front(mesh, 2 * square), back(mesh, 2 * square + 1);
   for (const LeafSide& side : {front, back})
     if (std::string wrong = side.objection(leaf); !wrong.empty()) return wrong;
-  if (!(std::abs(std::abs(dot(front.normal(), axis)) - 1.0) <= rounding))
+  if (!(std::abs(std::abs(dot(front.normal(), axis)) - 1.0) <= leaf_rounding))
     return "is not turned as the leaf is";
-  if (!(norm(front.normal() + back.normal()) <= rounding)) return "has both sides on one side";
+  if (!(norm(front.normal() + back.normal()) <= leaf_rounding)) return "has both sides on one side";
   for (std::size_t i = 0; i < 4; ++i)
     if (front.corner(i) != back.corner(i)) return "has sides at two places";
   return {};

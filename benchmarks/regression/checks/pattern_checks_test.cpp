@@ -19,8 +19,8 @@ namespace {
 using testing::HasSubstr;
 using Points = std::vector<Point2>;
 
-constexpr Rectangle plot{{-1.0, 0.0}, {1.0, 1.0}};
-const Window window = Window::rectangle(plot);
+constexpr Rectangle checked_plot{{-1.0, 0.0}, {1.0, 1.0}};
+const Window window = Window::rectangle(checked_plot);
 
 Points some_points() {
   CounterStream stream(2, 0);
@@ -30,41 +30,44 @@ Points some_points() {
 TEST(HopkinsCheck, SeesTheTenthDigit) {
   const Points points = some_points();
   const HopkinsIndex right = hopkins_exact(points, window);
-  EXPECT_EQ(objection_to_hopkins(right, points, plot), "");
+  EXPECT_EQ(objection_to_hopkins(right, points, checked_plot), "");
   for (const double factor : {1.0 + 1e-10, 1.0 - 1e-10}) {
-    EXPECT_NE(objection_to_hopkins({factor * right.mean_ratio, right.squared_ratio}, points, plot),
+    EXPECT_NE(objection_to_hopkins({factor * right.mean_ratio, right.squared_ratio}, points,
+                                   checked_plot),
               "");
-    EXPECT_NE(objection_to_hopkins({right.mean_ratio, factor * right.squared_ratio}, points, plot),
+    EXPECT_NE(objection_to_hopkins({right.mean_ratio, factor * right.squared_ratio}, points,
+                                   checked_plot),
               "");
   }
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(objection_to_hopkins({nan, right.squared_ratio}, points, plot), "");
-  EXPECT_NE(objection_to_hopkins({right.mean_ratio, nan}, points, plot), "");
-  EXPECT_NE(objection_to_hopkins({}, points, plot), "");
+  EXPECT_NE(objection_to_hopkins({nan, right.squared_ratio}, points, checked_plot), "");
+  EXPECT_NE(objection_to_hopkins({right.mean_ratio, nan}, points, checked_plot), "");
+  EXPECT_NE(objection_to_hopkins({}, points, checked_plot), "");
 }
 
 TEST(HopkinsCheck, SeesWhatIsSampledAndWhatIsOfOtherPoints) {
   Points points = some_points();
   CounterStream stream(3, 0);
-  EXPECT_NE(objection_to_hopkins(hopkins_sampled(points, window, 100'000, stream), points, plot),
-            "");
+  EXPECT_NE(
+      objection_to_hopkins(hopkins_sampled(points, window, 100'000, stream), points, checked_plot),
+      "");
   const HopkinsIndex right = hopkins_exact(points, window);
   points[7].x += 1e-6;
-  EXPECT_NE(objection_to_hopkins(right, points, plot), "");
+  EXPECT_NE(objection_to_hopkins(right, points, checked_plot), "");
 }
 
 TEST(RipleyCheck, SeesOneWrongValue) {
   const Points points = some_points();
   const std::vector<double> distances{0.05, 0.1, 0.2};
   const auto right = ripley_k(points, window, distances, EdgeCorrection::translation);
-  EXPECT_EQ(objection_to_ripley_k(right, points, plot, distances), "");
+  EXPECT_EQ(objection_to_ripley_k(right, points, checked_plot, distances), "");
   auto wrong = right;
   wrong[1] *= 1.0 + 1e-10;
-  EXPECT_THAT(objection_to_ripley_k(wrong, points, plot, distances), HasSubstr("K(0.1)"));
+  EXPECT_THAT(objection_to_ripley_k(wrong, points, checked_plot, distances), HasSubstr("K(0.1)"));
   wrong.pop_back();
-  EXPECT_THAT(objection_to_ripley_k(wrong, points, plot, distances), HasSubstr("2 values"));
+  EXPECT_THAT(objection_to_ripley_k(wrong, points, checked_plot, distances), HasSubstr("2 values"));
   const auto uncorrected = ripley_k(points, window, distances, EdgeCorrection::none);
-  EXPECT_NE(objection_to_ripley_k(uncorrected, points, plot, distances), "");
+  EXPECT_NE(objection_to_ripley_k(uncorrected, points, checked_plot, distances), "");
 }
 
 TEST(NearestDistancesCheck, SeesTheLastBit) {

@@ -11,7 +11,7 @@ namespace phytobench {
 
 namespace {
 
-constexpr double rounding = 1e-12;
+constexpr double stem_rounding = 1e-12;
 
 }  // namespace
 
@@ -60,16 +60,17 @@ double StraightStems::radius(std::size_t ring) const {
 
 std::string StraightStems::objection_to_rings(std::size_t i) const {
   const Vector3 from = base(i), along = tip(i) - from;
-  if (!(std::abs(norm(along) - stem_.length) <= 10.0 * rounding)) return "has another length";
+  if (!(std::abs(norm(along) - stem_.length) <= 10.0 * stem_rounding)) return "has another length";
   for (std::size_t ring = 0; ring <= segments_; ++ring) {
     const double share = static_cast<double>(ring) / static_cast<double>(segments_);
     const Vector3 middle = from + share * along;
     for (std::size_t corner = 0; corner <= corners_; ++corner) {
       const std::size_t v = vertex(i, ring, corner);
       const Vector3 out = mesh_.positions[v] - middle;
-      if (!(std::abs(norm(out) - radius(ring)) <= 10.0 * rounding)) return "has another radius";
-      if (!(std::abs(dot(out, along)) <= 10.0 * rounding)) return "a ring stands askew";
-      if (!(std::abs(norm(mesh_.normals[v]) - 1.0) <= 10.0 * rounding)) return "an odd normal";
+      if (!(std::abs(norm(out) - radius(ring)) <= 10.0 * stem_rounding))
+        return "has another radius";
+      if (!(std::abs(dot(out, along)) <= 10.0 * stem_rounding)) return "a ring stands askew";
+      if (!(std::abs(norm(mesh_.normals[v]) - 1.0) <= 10.0 * stem_rounding)) return "an odd normal";
       if (!(dot(mesh_.normals[v], out) > 0.0)) return "a normal looks inwards";
     }
     if (!(mesh_.positions[vertex(i, ring, 0)] == mesh_.positions[vertex(i, ring, corners_)]))

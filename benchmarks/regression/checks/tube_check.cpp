@@ -17,10 +17,10 @@ namespace {
 namespace paper = oracles::brzoska2019;
 using paper::Point;
 
-constexpr double rounding = 1e-9;
+constexpr double tube_rounding = 1e-9;
 
 /// Corner numbers as if the seam of each ring were sewn up.
-using Corners = std::array<int, 3>;
+using TriangleCorners = std::array<int, 3>;
 
 class TubeCheck {
  public:
@@ -39,8 +39,8 @@ class TubeCheck {
   }
 
  private:
-  Corners sewn_up(const Triangle& triangle) const {
-    Corners corners{};
+  TriangleCorners sewn_up(const Triangle& triangle) const {
+    TriangleCorners corners{};
     for (std::size_t k = 0; k < 3; ++k)
       corners[k] = static_cast<int>(at_.ring_of(triangle[k]) * corners_ +
                                     at_.corner_of(triangle[k]) % corners_);
@@ -48,11 +48,11 @@ class TubeCheck {
   }
 
   /// Those of a tube for every node but the root, wherever they stand in the list.
-  std::vector<Corners> expected_triangles() const {
+  std::vector<TriangleCorners> expected_triangles() const {
     const int w = static_cast<int>(corners_);
-    std::vector<Corners> all;
+    std::vector<TriangleCorners> all;
     for (std::size_t node = 1; node < nodes_; ++node)
-      for (Corners tube : paper::triangles_of_tube(w, 2)) {
+      for (TriangleCorners tube : paper::triangles_of_tube(w, 2)) {
         for (int& corner : tube)
           corner = corner < w ? static_cast<int>(expected_.below[node]) * w + corner
                               : static_cast<int>(node) * w + corner - w;
@@ -64,7 +64,7 @@ class TubeCheck {
   }
 
   std::string triangles() const {
-    std::vector<Corners> found;
+    std::vector<TriangleCorners> found;
     for (const Triangle& triangle : mesh_.triangles) {
       const auto [least, most] = std::minmax(
           {at_.corner_of(triangle[0]), at_.corner_of(triangle[1]), at_.corner_of(triangle[2])});
@@ -73,7 +73,7 @@ class TubeCheck {
       std::sort(found.back().begin(), found.back().end());
     }
     std::sort(found.begin(), found.end());
-    const std::vector<Corners> expected = expected_triangles();
+    const std::vector<TriangleCorners> expected = expected_triangles();
     const auto [one, other] = std::mismatch(expected.begin(), expected.end(), found.begin());
     if (one == expected.end()) return {};
     return fmt::format("triangles are not those of tubes: ({}, {}, {}) instead of ({}, {}, {})",
@@ -81,7 +81,7 @@ class TubeCheck {
   }
 
   std::string open_sides() const {
-    std::vector<Corners> all;
+    std::vector<TriangleCorners> all;
     for (const Triangle& triangle : mesh_.triangles) all.push_back(sewn_up(triangle));
     const auto found = static_cast<std::size_t>(paper::open_sides(all));
     const std::size_t expected = corners_ * expected_.open_rings();
@@ -110,7 +110,7 @@ class TubeCheck {
       const double sign = is_joined_above(ring, third) ? 1.0 : -1.0;
       const Point side = minus(at_.place(t[2]), at_.place(t[0]));
       const double ahead = sign * scalar_product(side, expected_.rings[ring].looks);
-      if (std::abs(ahead) <= rounding * length(side)) continue;
+      if (std::abs(ahead) <= tube_rounding * length(side)) continue;
       const double out = scalar_product(normal_of(t), plus(at_.outward(t[0]), at_.outward(t[1])));
       if (out * ahead < 0.0) return fmt::format("triangle {} of a branch looks inward", n);
     }
@@ -134,7 +134,7 @@ class TubeCheck {
       const bool is_alone = sizes[c] == 0.0;  // no tube at all: straight from the center
       const Point expected = is_alone ? at_.outward(v) : sums[c];
       const double size = is_alone ? 1.0 : sizes[c];
-      if (!(length(minus(times(length(expected), found), expected)) <= rounding * size))
+      if (!(length(minus(times(length(expected), found), expected)) <= tube_rounding * size))
         return fmt::format(
             "vertex {}: normal ({:.6g}, {:.6g}, {:.6g}) is not that of its triangles", v, found.x,
             found.y, found.z);

@@ -13,7 +13,7 @@ namespace phytobench {
 
 namespace {
 
-constexpr double rounding = 1e-12;
+constexpr double hair_rounding = 1e-12;
 constexpr double degree = std::numbers::pi / 180.0;
 
 std::string stem_text(const UmbrellaPlant::Stem& stem, const char* name, const char* colour) {
@@ -68,8 +68,9 @@ class UmbrellaCheck {
     const double radius = plant_.ball_radius;
     const Vector3 base = stalks.base(i), out = stalks.direction(i);
     const double height = height_on_cap(static_cast<int>(i), plant_.umbrellas, 0.0, 180.0);
-    if (!(std::abs(base.y - radius * height) <= rounding * radius)) return "wrong height";
-    if (!(norm(base - radius * out) <= 10.0 * rounding * radius)) return "does not stand upright";
+    if (!(std::abs(base.y - radius * height) <= hair_rounding * radius)) return "wrong height";
+    if (!(norm(base - radius * out) <= 10.0 * hair_rounding * radius))
+      return "does not stand upright";
     const Vector3 up{0.0, 1.0, 0.0};
     const double sense = turn_deg(stalks.base(0), stalks.base(1), up) < 0.0 ? -1.0 : 1.0;
     // 137.5 degrees forward are less than half a turn, so that the sign tells the sense.
@@ -87,8 +88,8 @@ class UmbrellaCheck {
         turn_deg(hairs.direction(first), hairs.direction(first + 1), out) < 0.0 ? -1.0 : 1.0;
     for (std::size_t k = first; k < first + per_; ++k) {
       const Vector3 along = hairs.direction(k);
-      if (!(norm(hairs.base(k) - tip) <= 10.0 * rounding)) return "a hair begins elsewhere";
-      if (!(std::abs(dot(along, out) - cosine) <= 100.0 * rounding))
+      if (!(norm(hairs.base(k) - tip) <= 10.0 * hair_rounding)) return "a hair begins elsewhere";
+      if (!(std::abs(dot(along, out) - cosine) <= 100.0 * hair_rounding))
         return "a hair's tilt is wrong";
       const Vector3 next = hairs.direction(k + 1 < first + per_ ? k + 1 : first);
       if (!is_turn(turn_deg(along, next, out), step, sense)) return "hairs are not evenly spread";
