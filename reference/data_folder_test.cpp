@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "core/contract/errors.hpp"
+#include "reference/data_folder_fixture.hpp"
 #include "reference/papers.hpp"
 
 namespace phytobench {
@@ -22,32 +23,25 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-constexpr const char* variable = "PHYTOBENCH_DATA";
-
 /// A fresh folder for one test; both it and the environment are put back afterwards.
 class DataFolder : public testing::Test {
  protected:
   DataFolder()
       : folder_(fs::path(testing::TempDir()) / ("phytobench_data_" + std::to_string(::getpid()))) {
-    if (const char* old_value = std::getenv(variable)) old_value_ = old_value;
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
   ~DataFolder() override {
-    if (old_value_)
-      ::setenv(variable, old_value_->c_str(), 1);
-    else
-      ::unsetenv(variable);
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
   }
 
-  void point_to(const fs::path& folder) const { ::setenv(variable, folder.c_str(), 1); }
+  void point_to(const fs::path& folder) const { ::setenv(data_folder_variable, folder.c_str(), 1); }
   const fs::path& folder() const { return folder_; }
 
  private:
   fs::path folder_;
-  std::optional<std::string> old_value_;
+  KeptDataFolderVariable kept_variable_;
 };
 
 TEST_F(DataFolder, HoldsEveryPaper) {
@@ -129,11 +123,11 @@ TEST_F(DataFolder, IsNothingWhereNoFolderAboveTheProgramHasOne) {
 }
 
 TEST_F(DataFolder, StandsAboveTheProgramWithoutTheVariable) {
-  ::unsetenv(variable);
+  ::unsetenv(data_folder_variable);
   const fs::path found = data_folder();
   EXPECT_TRUE(fs::is_directory(found / "papers"));
   EXPECT_EQ(found.filename(), "share");
-  ::setenv(variable, "", 1);
+  ::setenv(data_folder_variable, "", 1);
   EXPECT_EQ(data_folder(), found);
 }
 

@@ -13,6 +13,7 @@
 #include "core/contract/errors.hpp"
 #include "core/contract/text_file.hpp"
 #include "reference/assumptions.hpp"
+#include "reference/data_folder_fixture.hpp"
 #include "reference/errata.hpp"
 
 namespace phytobench {
@@ -21,23 +22,16 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-constexpr const char* variable = "PHYTOBENCH_DATA";
-
 /// A data folder with one paper of our own; the environment is put back afterwards.
 class PaperNotes : public testing::Test {
  protected:
   PaperNotes()
       : folder_(fs::path(testing::TempDir()) / ("phytobench_notes_" + std::to_string(::getpid()))) {
-    if (const char* old_value = std::getenv(variable)) old_value_ = old_value;
     fs::remove_all(folder_);
     fs::create_directories(paper());
-    ::setenv(variable, folder_.c_str(), 1);
+    ::setenv(data_folder_variable, folder_.c_str(), 1);
   }
   ~PaperNotes() override {
-    if (old_value_)
-      ::setenv(variable, old_value_->c_str(), 1);
-    else
-      ::unsetenv(variable);
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
   }
@@ -49,7 +43,7 @@ class PaperNotes : public testing::Test {
 
  private:
   fs::path folder_;
-  std::optional<std::string> old_value_;
+  KeptDataFolderVariable kept_variable_;
 };
 
 /// The message of the InputError, or nothing if there is none.

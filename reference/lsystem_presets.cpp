@@ -5,17 +5,17 @@ namespace phytobench {
 
 namespace {
 
-constexpr const char* folder = "lsystems";
-constexpr const char* extension = ".lsys";
+constexpr const char* lsystem_folder = "lsystems";
+constexpr const char* lsystem_extension = ".lsys";
 
 }  // namespace
 
 std::vector<LSystemPreset> lsystem_presets() {
-  return preset_files(folder, extension);
+  return preset_files(lsystem_folder, lsystem_extension);
 }
 
 std::filesystem::path lsystem_preset_file(const std::string& name) {
-  return preset_file_named(folder, {&name, 1}, extension);
+  return preset_file_named(lsystem_folder, {&name, 1}, lsystem_extension);
 }
 
 }  // namespace phytobench

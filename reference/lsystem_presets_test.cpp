@@ -23,7 +23,7 @@ namespace {
 
 using testing::HasSubstr;
 
-LSystem preset(const std::string& name) {
+LSystem preset_system(const std::string& name) {
   return read_lsystem(lsystem_preset_file(name));
 }
 
@@ -35,7 +35,7 @@ Word word_of(const LSystem& system, int steps) {
 }
 
 Drawing drawing_of(const std::string& name, int steps) {
-  const LSystem system = preset(name);
+  const LSystem system = preset_system(name);
   return draw(system, word_of(system, steps));
 }
 
@@ -130,7 +130,7 @@ TEST(LSystemPresets, TheIslandKeepsItsArea) {
 
 TEST(LSystemPresets, SlashesDecideWhetherTheBushLiesInAPlane) {
   const auto depth = [](const std::string& name) {
-    const LSystem system = preset(name);
+    const LSystem system = preset_system(name);
     return segment_box(drawing_of(name, system.steps)).extent().x;
   };
   EXPECT_LT(depth("bush"), 1e-9);
@@ -139,7 +139,7 @@ TEST(LSystemPresets, SlashesDecideWhetherTheBushLiesInAPlane) {
 
 /// Twigs that woke earlier have less left to grow, and stand below.
 TEST(LSystemPresets, TheSignalWakesBudsFromBelow) {
-  const LSystem system = preset("signal");
+  const LSystem system = preset_system("signal");
   const SymbolIndex twig = *find_symbol(system, "T", 1);
   std::size_t twigs_before = 0;
   for (int steps = 0; steps <= system.steps; ++steps) {

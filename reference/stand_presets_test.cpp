@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-PopulationFile preset(const std::string& name) {
+PopulationFile preset_stand(const std::string& name) {
   return read_population_file(stand_preset_file(name));
 }
 
@@ -59,12 +59,12 @@ TEST(StandPresets, AnUnknownNameGetsTheClosestOne) {
 TEST(StandPresets, HaveTheNumbersOfPlantsAndTheGroundsThatArePublished) {
   for (const char* name :
        {"five-regions-symmetric", "five-regions-asymmetric", "five-regions-mixture"}) {
-    const PopulationParameters stand = preset(name).parameters;
+    const PopulationParameters stand = preset_stand(name).parameters;
     EXPECT_EQ(stand.ground.width(), 200.0);
     EXPECT_EQ(stand.ground.height(), 200.0);
     EXPECT_EQ(stand.species.at(0).count, 100);
   }
-  const PopulationFile meadow = preset("tree-shrubs-meadow-flowers");
+  const PopulationFile meadow = preset_stand("tree-shrubs-meadow-flowers");
   EXPECT_EQ(meadow.parameters.ground.width(), 60.0);
   EXPECT_EQ(meadow.parameters.ground.height(), 60.0);
   EXPECT_EQ(read_plants_file(meadow.plants, meadow.parameters).size(), 1u);
@@ -78,7 +78,7 @@ TEST(StandPresets, HaveTheNumbersOfPlantsAndTheGroundsThatArePublished) {
 
 // From the richest to the poorest: I, III, II, IV and VI in the middle.
 TEST(StandPresets, FiveRegionsHaveFiveSoils) {
-  const PopulationParameters stand = preset("five-regions-mixture").parameters;
+  const PopulationParameters stand = preset_stand("five-regions-mixture").parameters;
   const ZoneLaw& roots = stand.species.at(0).roots;
   const auto factor = [&](double x, double y) {
     return roots.poor_factor + stand.nutrients.at({x, y}) * (roots.rich_factor - roots.poor_factor);

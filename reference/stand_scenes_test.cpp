@@ -53,7 +53,7 @@ NearAndFar count(const Stand& stand, SpeciesIndex of, SpeciesIndex to, double di
   return counts;
 }
 
-constexpr SpeciesIndex first = 0, second = 1;
+constexpr SpeciesIndex first_species = 0, second_species = 1;
 
 TEST(StandScenes, FlatRootsGrowSlowerThanDeepOnes) {
   const Population stand = run("roots");
@@ -69,10 +69,11 @@ TEST(StandScenes, HealthyNeighbourOfAnIllPlantGrowsAsIfAlone) {
 TEST(StandScenes, HerbsGrowUnderTheOpenCrownAlone) {
   // Well inside the tree's crown at the start.
   constexpr double crown = 4.5;
-  const NearAndFar before = count(planted("open-tree").stand(), second, first, crown);
+  const NearAndFar before =
+      count(planted("open-tree").stand(), second_species, first_species, crown);
   ASSERT_GT(before.near, 10);
-  const NearAndFar open = count(run("open-tree").stand(), second, first, crown);
-  const NearAndFar dense = count(run("dense-tree").stand(), second, first, crown);
+  const NearAndFar open = count(run("open-tree").stand(), second_species, first_species, crown);
+  const NearAndFar dense = count(run("dense-tree").stand(), second_species, first_species, crown);
   EXPECT_GT(open.near, before.near / 2);
   EXPECT_EQ(dense.near, 0);
   EXPECT_GT(dense.far, 9 * before.far / 10);
@@ -80,8 +81,9 @@ TEST(StandScenes, HerbsGrowUnderTheOpenCrownAlone) {
 
 TEST(StandScenes, SeedlingsGrowNearNursesAloneOnlyUnderStress) {
   constexpr double zone = 5.0;
-  const NearAndFar mild = count(run("nurse").stand(), second, first, zone);
-  const NearAndFar harsh = count(run("nurse-open-ground-stress").stand(), second, first, zone);
+  const NearAndFar mild = count(run("nurse").stand(), second_species, first_species, zone);
+  const NearAndFar harsh =
+      count(run("nurse-open-ground-stress").stand(), second_species, first_species, zone);
   EXPECT_GT(mild.far, 100);
   EXPECT_GT(harsh.near, 10);
   EXPECT_EQ(harsh.far, 0);
@@ -101,8 +103,8 @@ TEST(StandScenes, BankedSeedsOutliveBadYears) {
   const Population stand = run("seed-bank");
   EXPECT_GT(stand.state().seeds.size(), 0u);
   const auto& species = stand.stand().species;
-  EXPECT_EQ(std::count(species.begin(), species.end(), second), 0);
-  EXPECT_GT(std::count(species.begin(), species.end(), first), 0);
+  EXPECT_EQ(std::count(species.begin(), species.end(), second_species), 0);
+  EXPECT_GT(std::count(species.begin(), species.end(), first_species), 0);
 }
 
 TEST(StandScenes, TwoLargestDieInStepThirty) {
@@ -120,8 +122,9 @@ TEST(StandScenes, TwoLargestDieInStepThirty) {
 }
 
 TEST(StandScenes, SmallPlantsDieNearLargeOnes) {
-  const NearAndFar before = count(planted("two-species").stand(), second, first, 7.0);
-  const NearAndFar after = count(run("two-species").stand(), second, first, 7.0);
+  const NearAndFar before =
+      count(planted("two-species").stand(), second_species, first_species, 7.0);
+  const NearAndFar after = count(run("two-species").stand(), second_species, first_species, 7.0);
   ASSERT_GT(before.near, 20);
   EXPECT_LT(after.near, before.near / 10);
   EXPECT_GT(after.far, before.far / 2);

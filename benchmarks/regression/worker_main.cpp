@@ -47,7 +47,7 @@ Loaded load(const WorkerOptions& options) {
   return loaded;
 }
 
-std::string description_of_worker(const std::vector<WatchedBenchmark>& benchmarks) {
+std::string described(const std::vector<WatchedBenchmark>& benchmarks) {
   WorkerDescription description{.compiler = build_flags::compiler,
                                 .flags = build_flags::flags,
                                 .counts_work = counts_inner_loop,
@@ -70,7 +70,7 @@ std::string whole_standard_input() {
 
 std::string answer_to(const WorkerOptions& options) {
   const Loaded loaded = load(options);
-  if (options.command == "list") return description_of_worker(loaded.benchmarks);
+  if (options.command == "list") return described(loaded.benchmarks);
   if (options.command == "sample") {
     keep_freed_memory();
     const SamplePlan plan = sample_plan_from(whole_standard_input(), "standard input");

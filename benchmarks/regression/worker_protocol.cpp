@@ -85,7 +85,7 @@ SampledBenchmark sampled_one(const ordered_json& json) {
   return sampled;
 }
 
-WorkerDescription described(const ordered_json& json) {
+WorkerDescription worker_described(const ordered_json& json) {
   WorkerDescription description{.protocol = worker_protocol,
                                 .compiler = json.at("compiler"),
                                 .flags = json.at("flags"),
@@ -155,7 +155,7 @@ std::string to_json(const std::vector<SampledBenchmark>& sampled) {
 }
 
 WorkerDescription worker_description_from(const std::string& json, const std::string& whose) {
-  return parsed<WorkerDescription>(json, "list", whose, described);
+  return parsed<WorkerDescription>(json, "list", whose, worker_described);
 }
 
 std::vector<VerifiedBenchmark> verified_from(const std::string& json, const std::string& whose) {

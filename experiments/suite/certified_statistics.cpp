@@ -147,7 +147,7 @@ void record_lines(ExperimentContext& context, const RegressionSet& set) {
                    student_0975_34 * slope.standard_deviation);
 }
 
-void run(ExperimentContext& context) {
+void record_certified_statistics(ExperimentContext& context) {
   for (const UnivariateSet& set : nist_univariate_sets()) record_moments(context, set);
   for (const RegressionSet& set : nist_regression_sets()) {
     record_regression(context, set);
@@ -165,7 +165,7 @@ constinit const ExperimentDescriptor certified_statistics{
         "values?",
     .source = "[NIST StRD] NumAcc1-4, Norris, Wampler1-5",
     .seconds = {0.1, 0.1, 0.1},
-    .run = run,
+    .run = record_certified_statistics,
 };
 
 }  // namespace phytobench::experiments::suite

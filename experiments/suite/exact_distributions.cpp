@@ -181,7 +181,7 @@ void record_kolmogorov(ExperimentContext& context) {
   }
 }
 
-void run(ExperimentContext& context) {
+void record_exact_distributions(ExperimentContext& context) {
   record_chi_square(context);
   record_f(context);
   record_student(context);
@@ -197,7 +197,7 @@ constinit const ExperimentDescriptor exact_distributions{
     .question = "Are tail probabilities, quantiles and shares those of closed forms?",
     .source = "[closed forms]",
     .seconds = {0.1, 0.1, 0.1},
-    .run = run,
+    .run = record_exact_distributions,
 };
 
 }  // namespace phytobench::experiments::suite

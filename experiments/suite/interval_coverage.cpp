@@ -206,7 +206,7 @@ class Coverage {
   std::uint64_t streams_ = 0;
 };
 
-void run(ExperimentContext& context) {
+void record_interval_coverage(ExperimentContext& context) {
   Coverage(context).measure();
 }
 
@@ -220,7 +220,7 @@ constinit const ExperimentDescriptor interval_coverage{
         "they say?",
     .source = "[simulation]",
     .seconds = {1, 4, 20},
-    .run = run,
+    .run = record_interval_coverage,
 };
 
 }  // namespace phytobench::experiments::suite

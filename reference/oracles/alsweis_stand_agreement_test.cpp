@@ -17,7 +17,7 @@
 namespace phytobench::oracles::alsweis::competition {
 namespace {
 
-constexpr int steps = 60;
+constexpr int compared_steps = 60;
 constexpr std::size_t plants_at_start = 100;
 
 // Nurses that hardly grow, deep roots; seedlings; a species between them.
@@ -77,7 +77,7 @@ bool uses_signs(const std::string& rule) {
 
 PopulationParameters parameters_of(const Case& c) {
   PopulationParameters parameters;
-  parameters.steps = steps;
+  parameters.steps = compared_steps;
   parameters.ground = {{0, 0}, {c.side, c.side}};
   parameters.is_torus = c.is_torus;
   parameters.rule = c.rule;
@@ -181,7 +181,7 @@ Trajectories compare(const PopulationParameters& parameters, LiteralModel model,
   Trajectories result;
   for (const double loss : stand.losses())
     result.overlap += std::abs(loss) / static_cast<double>(start.size());
-  for (int t = 0; t < steps && result.difference.empty(); ++t) {
+  for (int t = 0; t < compared_steps && result.difference.empty(); ++t) {
     for (const PopulationEvent& event : parameters.events)
       for (const PlantId plant : event.plants)
         if (event.step == t)

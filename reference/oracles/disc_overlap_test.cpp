@@ -5,16 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/oracles/test_noise.hpp"
+
 namespace phytobench::oracles {
 namespace {
 
-/// Random enough for a test, and nobody else's code.
-double noise(unsigned k) {
-  const double s = std::sin(12.9898 * k + 4.1414) * 43758.5453;
-  return s - std::floor(s);
-}
-
-std::vector<OracleDisc> scene(unsigned count, double ratio) {
+std::vector<OracleDisc> scene_of_ratio(unsigned count, double ratio) {
   std::vector<OracleDisc> discs;
   for (unsigned i = 0; i < count; ++i)
     discs.push_back(
@@ -34,7 +30,7 @@ void expect_equal(const std::vector<OracleOverlap>& a, const std::vector<OracleO
 TEST(DiscOverlapOracle, TableFindsWhatTheDoubleLoopFinds) {
   for (const OracleGround ground : {OracleGround{}, OracleGround{10, 8}})
     for (const double ratio : {1.0, 3.0, 1000.0}) {
-      std::vector<OracleDisc> discs = scene(600, ratio);
+      std::vector<OracleDisc> discs = scene_of_ratio(600, ratio);
       discs.push_back({5, 4, 3.9});  // reaches round the torus nearly to itself
       const auto literal = overlaps_literally(discs, ground);
       EXPECT_GT(literal.size(), 100u);
@@ -43,7 +39,7 @@ TEST(DiscOverlapOracle, TableFindsWhatTheDoubleLoopFinds) {
 }
 
 TEST(DiscOverlapOracle, EachDiscHasItsSharesOfAll) {
-  const std::vector<OracleDisc> discs = scene(200, 2.0);
+  const std::vector<OracleDisc> discs = scene_of_ratio(200, 2.0);
   const OracleGround ground{10, 8};
   std::size_t sum = 0;
   for (std::size_t i = 0; i < discs.size(); ++i) sum += overlaps_of(i, discs, ground).size();

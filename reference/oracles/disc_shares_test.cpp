@@ -7,19 +7,15 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/oracles/test_noise.hpp"
+
 namespace phytobench::oracles {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Random enough for a test, and nobody else's code.
-double noise(unsigned k) {
-  const double s = std::sin(12.9898 * k + 4.1414) * 43758.5453;
-  return s - std::floor(s);
-}
-
-std::vector<OracleDisc> scene(unsigned count, unsigned salt) {
+std::vector<OracleDisc> scene_of_large_discs(unsigned count, unsigned salt) {
   std::vector<OracleDisc> discs;
   for (unsigned i = 0; i < count; ++i)
     discs.push_back(
@@ -30,7 +26,7 @@ std::vector<OracleDisc> scene(unsigned count, unsigned salt) {
 TEST(DiscSharesOracle, StripsAgreeWithSquares) {
   for (const OracleGround ground : {OracleGround{}, OracleGround{10, 8}})
     for (const double exponent : {0.0, 1.0, 3.5, infinite}) {
-      const std::vector<OracleDisc> discs = scene(7, 5);
+      const std::vector<OracleDisc> discs = scene_of_large_discs(7, 5);
       const auto strips = disc_shares_by_strips(discs, ground, exponent);
       const auto squares = disc_shares_by_squares(discs, ground, exponent, 150);
       double largest = 0.0;

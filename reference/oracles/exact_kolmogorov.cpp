@@ -8,10 +8,10 @@ namespace phytobench::oracles {
 
 namespace {
 
-using Matrix = std::vector<std::vector<double>>;
+using DurbinMatrix = std::vector<std::vector<double>>;
 
-Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix c(a.size(), std::vector<double>(a.size(), 0.0));
+DurbinMatrix product(const DurbinMatrix& a, const DurbinMatrix& b) {
+  DurbinMatrix c(a.size(), std::vector<double>(a.size(), 0.0));
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < a.size(); ++j)
       for (std::size_t k = 0; k < a.size(); ++k) c[i][j] += a[i][k] * b[k][j];
@@ -19,9 +19,9 @@ Matrix product(const Matrix& a, const Matrix& b) {
 }
 
 /// Durbin's H for d = (k - h) / n with 0 <= h < 1; of size 2 k - 1.
-Matrix durbin_matrix(int k, double h) {
+DurbinMatrix durbin_matrix(int k, double h) {
   const auto m = static_cast<std::size_t>(2 * k - 1);
-  Matrix H(m, std::vector<double>(m, 0.0));
+  DurbinMatrix H(m, std::vector<double>(m, 0.0));
   for (std::size_t i = 0; i < m; ++i)
     for (std::size_t j = 0; j < m && j <= i + 1; ++j) H[i][j] = 1.0;
   for (std::size_t i = 0; i < m; ++i) {
@@ -39,9 +39,9 @@ Matrix durbin_matrix(int k, double h) {
 
 double kolmogorov_distribution(int n, double d) {
   const int k = static_cast<int>(std::floor(n * d)) + 1;
-  const Matrix H = durbin_matrix(k, k - n * d);
+  const DurbinMatrix H = durbin_matrix(k, k - n * d);
   // n! / n^n is spread over the factors, or the powers would leave the range of doubles.
-  Matrix Q = H;
+  DurbinMatrix Q = H;
   for (auto& row : Q)
     for (double& value : row) value *= 1.0 / n;
   for (int i = 2; i <= n; ++i) {

@@ -8,15 +8,17 @@
 namespace phytobench::oracles {
 namespace {
 
-constexpr double rounding = 1e-13;
+constexpr double probability_rounding = 1e-13;
 
 TEST(KolmogorovDistributionOracle, HasClosedFormsForOneAndTwoValues) {
   for (const double d : {0.51, 0.6, 0.75, 0.99})
-    EXPECT_NEAR(kolmogorov_distribution(1, d), 2.0 * d - 1.0, rounding);
+    EXPECT_NEAR(kolmogorov_distribution(1, d), 2.0 * d - 1.0, probability_rounding);
   for (const double d : {0.26, 0.3, 0.49})
-    EXPECT_NEAR(kolmogorov_distribution(2, d), 2.0 * std::pow(2.0 * d - 0.5, 2.0), rounding);
+    EXPECT_NEAR(kolmogorov_distribution(2, d), 2.0 * std::pow(2.0 * d - 0.5, 2.0),
+                probability_rounding);
   for (const double d : {0.5, 0.7, 0.9})
-    EXPECT_NEAR(kolmogorov_distribution(2, d), 1.0 - 2.0 * std::pow(1.0 - d, 2.0), rounding);
+    EXPECT_NEAR(kolmogorov_distribution(2, d), 1.0 - 2.0 * std::pow(1.0 - d, 2.0),
+                probability_rounding);
 }
 
 TEST(KolmogorovDistributionOracle, IsThePublishedExample) {

@@ -24,7 +24,7 @@ void add(InstanceCounts& to, const InstanceCounts& from, std::uint64_t times) {
     to[i] = to[i] && from[i] ? std::optional(sum(*to[i], product(times, *from[i]))) : std::nullopt;
 }
 
-using Counters = std::vector<int>;  // instances of each component on the way from the root
+using PathCounters = std::vector<int>;  // instances of each component on the way from the root
 
 struct TooMany {};
 
@@ -33,21 +33,21 @@ class Counting {
   Counting(const std::vector<CountedComponent>& graph, std::size_t most_productions)
       : graph_(graph), most_productions_(most_productions) {}
 
-  InstanceCounts below_root(std::size_t root) { return siblings(root, Counters(size(), 0), 1); }
+  InstanceCounts below_root(std::size_t root) { return siblings(root, PathCounters(size(), 0), 1); }
 
  private:
   // A nonterminal: the component, the counters with which it is reached, and, where it matters,
   // which sibling it is.
-  using Letter = std::tuple<std::size_t, Counters, std::uint64_t, std::uint64_t>;
+  using Letter = std::tuple<std::size_t, PathCounters, std::uint64_t, std::uint64_t>;
 
   std::size_t size() const { return graph_.size(); }
 
-  bool is_refused(std::size_t Q, const Counters& counters) const {
+  bool is_refused(std::size_t Q, const PathCounters& counters) const {
     const std::optional<int>& most = graph_[Q].maximal_recursions;
     return most && counters[Q] + 1 > *most;
   }
 
-  bool siblings_are_alike(std::size_t Q, const Counters& outside) const {
+  bool siblings_are_alike(std::size_t Q, const PathCounters& outside) const {
     for (const CountedEdge& edge : graph_[Q].edges)
       if (edge.link != Link::leaf && !graph_[Q].times(edge.link, outside[Q] + 1, std::nullopt))
         return false;
@@ -55,7 +55,7 @@ class Counting {
   }
 
   // Of B^n.
-  InstanceCounts siblings(std::size_t B, const Counters& outside, std::uint64_t n) {
+  InstanceCounts siblings(std::size_t B, const PathCounters& outside, std::uint64_t n) {
     InstanceCounts counts(size(), 0);
     if (siblings_are_alike(B, outside)) {
       add(counts, production(B, outside, std::nullopt), n);
@@ -65,7 +65,7 @@ class Counting {
     return counts;
   }
 
-  const InstanceCounts& production(std::size_t A, const Counters& outside,
+  const InstanceCounts& production(std::size_t A, const PathCounters& outside,
                                    const std::optional<Sibling>& sibling) {
     const Letter letter{A, outside, sibling ? sibling->i : 0, sibling ? sibling->n : 0};
     const auto known = counts_of_.find(letter);
@@ -76,9 +76,9 @@ class Counting {
   }
 
   // Of A_i and all that stands beside it in the production.
-  InstanceCounts successor(std::size_t A, const Counters& outside,
+  InstanceCounts successor(std::size_t A, const PathCounters& outside,
                            const std::optional<Sibling>& sibling) {
-    Counters inside = outside;
+    PathCounters inside = outside;
     ++inside[A];
     InstanceCounts counts(size(), 0);
     counts[A] = 1;
@@ -99,7 +99,8 @@ class Counting {
     return counts;
   }
 
-  void add_leaves(std::size_t A, const Counters& inside, bool has_ended, InstanceCounts& counts) {
+  void add_leaves(std::size_t A, const PathCounters& inside, bool has_ended,
+                  InstanceCounts& counts) {
     for (const auto& [B, link] : graph_[A].edges) {
       if (link != Link::leaf || is_refused(B, inside)) continue;
       if (has_ended)

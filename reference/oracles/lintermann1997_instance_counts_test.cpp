@@ -9,7 +9,7 @@
 namespace phytobench::oracles::lintermann1997 {
 namespace {
 
-constexpr std::size_t enough = 100000;
+constexpr std::size_t enough_productions = 100000;
 
 /// The same numbers for every instance.
 CountedComponent component(std::vector<CountedEdge> edges, std::uint64_t children = 1,
@@ -24,22 +24,22 @@ CountedComponent component(std::vector<CountedEdge> edges, std::uint64_t childre
 }
 
 InstanceCounts counts(const std::vector<CountedComponent>& graph) {
-  return instance_counts(graph, 0, enough).value();
+  return instance_counts(graph, 0, enough_productions).value();
 }
 
 /// Sec. 3.1.1: A -> B -> C (three times) -> D, and D to itself, three times at most.
-std::vector<CountedComponent> example(int most = 3) {
+std::vector<CountedComponent> example_components(int most = 3) {
   return {component({{1}}), component({{2}}), component({{3}}, 3), component({{3}}, 1, most)};
 }
 
 TEST(InstanceCounts, OfTheExampleAreNineOfD) {
-  EXPECT_EQ(counts(example()), (InstanceCounts{1, 1, 1, 9}));
+  EXPECT_EQ(counts(example_components()), (InstanceCounts{1, 1, 1, 9}));
   for (std::uint64_t most = 1; most < 6; ++most)
-    EXPECT_EQ(counts(example(static_cast<int>(most)))[3], 3 * most);
+    EXPECT_EQ(counts(example_components(static_cast<int>(most)))[3], 3 * most);
 }
 
 TEST(InstanceCounts, OfAMultiplierInsideOfTheLoopArePowers) {
-  auto graph = example();
+  auto graph = example_components();
   graph[3] = component({{2}}, 1, 3);
   EXPECT_EQ(counts(graph), (InstanceCounts{1, 1, 1 + 3 + 9 + 27, 3 + 9 + 27}));
 }
@@ -49,7 +49,7 @@ TEST(InstanceCounts, OfTheBush) {
 }
 
 TEST(InstanceCounts, ALeafComesWhereASuccessorIsRefused) {
-  auto graph = example();
+  auto graph = example_components();
   graph.push_back(component({}));
   graph[3].edges.push_back({4, Link::leaf});
   EXPECT_EQ(counts(graph)[4], 3u);
@@ -110,7 +110,7 @@ TEST(InstanceCounts, OfTooManyProductionsAreNone) {
   part.edges.push_back({0});
   std::vector<CountedComponent> graph{part, component({{0}, {1}}, 2, 50)};
   EXPECT_FALSE(instance_counts(graph, 0, 100));
-  EXPECT_TRUE(instance_counts(graph, 0, enough));
+  EXPECT_TRUE(instance_counts(graph, 0, enough_productions));
 }
 
 /// Against the instances that the article's algorithm makes, on random graphs with loops.

@@ -7,7 +7,7 @@ namespace phytobench::oracles::lintermann1997 {
 
 namespace {
 
-using Counters = std::map<std::string, int>;
+using NamedCounters = std::map<std::string, int>;
 
 // How many instances an edge of Q asks for.
 int times(const Prototype& Q, const Edge& edge) {
@@ -19,7 +19,7 @@ struct Instantiation {
   const PGraph& graph;
   const Reading& reading;
   std::size_t most;
-  Counters depth;  // "Rekursionstiefe"
+  NamedCounters depth;  // "Rekursionstiefe"
   ITree tree;
 
   bool allowed(int recursion_depth, const Prototype& Q) const {
@@ -57,7 +57,7 @@ struct Instantiation {
   }
 };
 
-std::string nonterminal(const std::string& name, const Counters& counters) {
+std::string nonterminal(const std::string& name, const NamedCounters& counters) {
   std::string letter = name + " after";
   for (const auto& [prototype, count] : counters)
     if (count > 0) letter += " " + prototype + ":" + std::to_string(count);
@@ -69,13 +69,13 @@ std::string terminal(const std::string& name) {
 }
 
 // The production of a prototype that is reached with these counters, and all that it needs.
-void add_production(const PGraph& graph, const std::string& name, const Counters& counters,
+void add_production(const PGraph& graph, const std::string& name, const NamedCounters& counters,
                     D0LStructure& grammar) {
   const std::string letter = nonterminal(name, counters);
   if (grammar.successors.contains(letter)) return;
   grammar.successors[letter] = {};
   const Prototype& Q = graph.at(name);
-  Counters inside = counters;
+  NamedCounters inside = counters;
   ++inside[name];
   if (inside[name] > Q.maximal_recursions) return;  // the letter vanishes
   std::vector<std::string> successor{terminal(name)};

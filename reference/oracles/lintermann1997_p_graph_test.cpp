@@ -8,10 +8,10 @@
 namespace phytobench::oracles::lintermann1997 {
 namespace {
 
-constexpr std::size_t enough = 100000;
+constexpr std::size_t enough_instances = 100000;
 
 // Sec. 3.1.1: A -> B -> C (three times) -> D, and D to itself, three times at most.
-PGraph example() {
+PGraph example_graph() {
   return {{"A", {9, 1, 1, {{"B"}}}},
           {"B", {9, 1, 1, {{"C"}}}},
           {"C", {9, 3, 1, {{"D"}}}},
@@ -19,14 +19,14 @@ PGraph example() {
 }
 
 void expect_same_counts(const PGraph& graph, const std::string& root) {
-  const ITree tree = i_tree(graph, root, {}, enough);
+  const ITree tree = i_tree(graph, root, {}, enough_instances);
   ASSERT_FALSE(tree.cut_off);
   for (const auto& [name, count] : instances_by_grammar(graph, root))
     EXPECT_EQ(count, Natural(static_cast<std::uint64_t>(tree.count(name)))) << name;
 }
 
 TEST(PGraph, OfTheExampleHasNineInstancesOfD) {
-  const ITree tree = i_tree(example(), "A", {}, enough);
+  const ITree tree = i_tree(example_graph(), "A", {}, enough_instances);
   EXPECT_EQ(tree.count("A"), 1);
   EXPECT_EQ(tree.count("B"), 1);
   EXPECT_EQ(tree.count("C"), 1);
@@ -39,38 +39,38 @@ TEST(PGraph, OfTheExampleHasNineInstancesOfD) {
 
 TEST(PGraph, OnlyOneOfFourReadingsGivesTheExample) {
   const auto D = [](Comparison comparison, Counter counter) {
-    return i_tree(example(), "A", {comparison, counter, {}}, enough).count("D");
+    return i_tree(example_graph(), "A", {comparison, counter, {}}, enough_instances).count("D");
   };
   EXPECT_EQ(D(Comparison::less, Counter::never_decremented), 2);
-  EXPECT_EQ(i_tree(example(), "A", as_printed, enough).count("D"), 2);
+  EXPECT_EQ(i_tree(example_graph(), "A", as_printed, enough_instances).count("D"), 2);
   EXPECT_EQ(D(Comparison::less, Counter::decremented), 6);
   EXPECT_EQ(D(Comparison::less_or_equal, Counter::never_decremented), 3);
   EXPECT_EQ(D(Comparison::less_or_equal, Counter::decremented), 9);
 }
 
 TEST(PGraph, AsPrintedAndWithOneRecursionBuildsNothing) {
-  PGraph graph = example();
+  PGraph graph = example_graph();
   for (const char* name : {"A", "B", "C"}) graph[name].maximal_recursions = 1;
-  EXPECT_EQ(i_tree(graph, "A", as_printed, enough).instances(), 0u);
-  EXPECT_EQ(i_tree(graph, "A", {}, enough).instances(), 12u);
+  EXPECT_EQ(i_tree(graph, "A", as_printed, enough_instances).instances(), 0u);
+  EXPECT_EQ(i_tree(graph, "A", {}, enough_instances).instances(), 12u);
 }
 
 TEST(PGraph, AMultiplierInsideOfTheLoopMultipliesEachTime) {
-  PGraph graph = example();
+  PGraph graph = example_graph();
   graph["D"].edges = {{"C"}};  // D -> C -> D instead of D -> D
-  const ITree tree = i_tree(graph, "A", {}, enough);
+  const ITree tree = i_tree(graph, "A", {}, enough_instances);
   EXPECT_EQ(tree.count("D"), 3 + 9 + 27);
   expect_same_counts(graph, "A");
 }
 
 TEST(PGraph, ALeafComesOnceForEachRecursionThatEnds) {
-  PGraph graph = example();
+  PGraph graph = example_graph();
   graph["D"].edges.push_back({"E", Link::leaf});
   graph["E"] = {};
   for (const LeafPlace place : {LeafPlace::at_the_last_instance, LeafPlace::for_each_refusal}) {
     Reading reading;
     reading.leaf_place = place;
-    const ITree tree = i_tree(graph, "A", reading, enough);
+    const ITree tree = i_tree(graph, "A", reading, enough_instances);
     EXPECT_EQ(tree.count("E"), 3);
     for (std::size_t i = 0; i < tree.instances(); ++i)
       if (tree.prototypes[i] == "E")
@@ -80,13 +80,13 @@ TEST(PGraph, ALeafComesOnceForEachRecursionThatEnds) {
 }
 
 TEST(PGraph, LeafReadingsDifferIfTheMultiplierIsInsideOfTheLoop) {
-  PGraph graph = example();
+  PGraph graph = example_graph();
   graph["D"].edges = {{"C"}, {"E", Link::leaf}};
   graph["E"] = {};
   const auto leaves = [&](LeafPlace place) {
     Reading reading;
     reading.leaf_place = place;
-    return i_tree(graph, "A", reading, enough).count("E");
+    return i_tree(graph, "A", reading, enough_instances).count("E");
   };
   EXPECT_EQ(leaves(LeafPlace::at_the_last_instance), 27);
   EXPECT_EQ(leaves(LeafPlace::for_each_refusal), 81);
@@ -97,7 +97,7 @@ TEST(PGraph, BranchLinksMultiplyAndChildLinksDoNot) {
                       {"twig", {1, 1, 4, {{"leaf", Link::branch}}}},
                       {"top", {}},
                       {"leaf", {}}};
-  const ITree tree = i_tree(willow, "stem", {}, enough);
+  const ITree tree = i_tree(willow, "stem", {}, enough_instances);
   EXPECT_EQ(tree.count("twig"), 5);
   EXPECT_EQ(tree.count("leaf"), 20);
   EXPECT_EQ(tree.count("top"), 1);
@@ -106,7 +106,7 @@ TEST(PGraph, BranchLinksMultiplyAndChildLinksDoNot) {
 
 TEST(PGraph, OfTheBushHasAsManyTreesAsTheLSystemHasGroups) {
   const PGraph graph{{"PhiBall", {5, 3, 1, {{"Tree"}}}}, {"Tree", {5, 1, 1, {{"PhiBall"}}}}};
-  const ITree tree = i_tree(graph, "PhiBall", {}, enough);
+  const ITree tree = i_tree(graph, "PhiBall", {}, enough_instances);
   EXPECT_EQ(tree.count("Tree"), 363);
   EXPECT_EQ(tree.count("PhiBall"), 121);
   EXPECT_EQ(static_cast<Count>(tree.count("Tree")), bush_groups(5));
@@ -115,14 +115,14 @@ TEST(PGraph, OfTheBushHasAsManyTreesAsTheLSystemHasGroups) {
 
 TEST(PGraph, OfTheDandelion) {
   const PGraph umbel{{"Hydra", {1, 18, 1, {{"Horn"}}}}, {"Horn", {}}};
-  EXPECT_EQ(i_tree(umbel, "Hydra", {}, enough).count("Horn"), 18);
-  EXPECT_EQ(i_tree(umbel, "Hydra", {}, enough).instances(), 19u);
+  EXPECT_EQ(i_tree(umbel, "Hydra", {}, enough_instances).count("Horn"), 18);
+  EXPECT_EQ(i_tree(umbel, "Hydra", {}, enough_instances).instances(), 19u);
   const PGraph flower{{"stalk", {1, 1, 1, {{"PhiBall"}}}},
                       {"PhiBall", {1, 300, 1, {{"stem"}}}},
                       {"stem", {1, 1, 1, {{"Hydra"}}}},
                       {"Hydra", {1, 18, 1, {{"hair"}}}},
                       {"hair", {}}};
-  const ITree tree = i_tree(flower, "stalk", {}, enough);
+  const ITree tree = i_tree(flower, "stalk", {}, enough_instances);
   EXPECT_EQ(tree.instances(), 6002u);
   EXPECT_EQ(tree.count("hair"), 5400);
   expect_same_counts(flower, "stalk");
@@ -148,7 +148,7 @@ TEST(PGraphLaw, WithoutLoopsCountsAreProductsAlongWays) {
         expected[static_cast<std::size_t>(b)] += expected[static_cast<std::size_t>(a)] * A.children;
       }
     }
-    const ITree tree = i_tree(graph, "a", {}, enough);
+    const ITree tree = i_tree(graph, "a", {}, enough_instances);
     for (int a = 0; a < size; ++a)
       EXPECT_EQ(tree.count(std::string(1, static_cast<char>('a' + a))),
                 expected[static_cast<std::size_t>(a)]);

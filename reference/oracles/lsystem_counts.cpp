@@ -8,7 +8,7 @@ namespace phytobench::oracles {
 namespace {
 
 // A column for each letter that has one: what it becomes. Other letters become themselves.
-using Matrix = std::map<std::string, LetterCounts>;
+using CountMatrix = std::map<std::string, LetterCounts>;
 
 LetterCounts counted(const std::vector<std::string>& word) {
   LetterCounts counts;
@@ -28,7 +28,7 @@ Natural product(const Natural& a, const Natural& b) {
   return sum;
 }
 
-LetterCounts product(const Matrix& M, const LetterCounts& counts) {
+LetterCounts product(const CountMatrix& M, const LetterCounts& counts) {
   LetterCounts next;
   for (const auto& [letter, count] : counts) {
     const auto column = M.find(letter);
@@ -69,12 +69,12 @@ std::optional<LetterCounts> letter_counts_within(const D0LStructure& system, int
 }
 
 LetterCounts letter_counts_by_powers(const D0LStructure& system, int n) {
-  Matrix square;
+  CountMatrix square;
   for (const auto& [letter, successor] : system.successors) square[letter] = counted(successor);
   LetterCounts counts = counted(system.axiom);
   for (int bits = n; bits > 0; bits /= 2) {
     if (bits % 2 == 1) counts = product(square, counts);
-    Matrix next;
+    CountMatrix next;
     for (const auto& [letter, column] : square) next[letter] = product(square, column);
     square = next;
   }
