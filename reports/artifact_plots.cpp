@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view ending = ".plot.json";
+constexpr std::string_view plot_ending = ".plot.json";
 
 // Of a plot alone, and of one of several; letters of 14 have room in both.
 constexpr int lone_width = 640, lone_height = 420, panel_width = 480, panel_height = 400;
@@ -64,7 +64,7 @@ LinePlot line_plot(const PlotPanel& panel, Colours& colours) {
 
 ArtifactPlot read_plot(const fs::path& folder, const std::set<std::string>& artifacts,
                        const std::string& name, const std::string& gnuplot) {
-  const std::string stem = name.substr(0, name.size() - ending.size());
+  const std::string stem = name.substr(0, name.size() - plot_ending.size());
   ArtifactPlot result{.svg = {}, .caption = {}, .data_name = stem + ".csv"};
   const fs::path json_file = folder / name;
   result.data_file = folder / result.data_name;
@@ -99,8 +99,8 @@ std::map<std::string, ArtifactPlot> artifact_plots(const fs::path& run_folder,
                                                    const std::string& gnuplot) {
   std::map<std::string, ArtifactPlot> plots;
   for (const std::string& name : artifacts)
-    if (name.ends_with(ending))
-      plots[name.substr(0, name.size() - ending.size()) + ".svg"] =
+    if (name.ends_with(plot_ending))
+      plots[name.substr(0, name.size() - plot_ending.size()) + ".svg"] =
           read_plot(run_folder / "artifacts", artifacts, name, gnuplot);
   return plots;
 }

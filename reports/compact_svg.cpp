@@ -142,7 +142,7 @@ SvgTokens with_joined_rules(const SvgTokens& tokens) {
   return joined;
 }
 
-std::optional<double> number_in(const std::string& text) {
+std::optional<double> svg_number_in(const std::string& text) {
   double number = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
@@ -161,7 +161,7 @@ std::optional<Circle> circle_of(const std::string& tag) {
   const std::string cx = attribute_of(tag, "cx"), cy = attribute_of(tag, "cy"),
                     r = attribute_of(tag, "r");
   if (tag != fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>", cx, cy, r)) return std::nullopt;
-  const auto x = number_in(cx), y = number_in(cy), radius = number_in(r);
+  const auto x = svg_number_in(cx), y = svg_number_in(cy), radius = svg_number_in(r);
   if (!x || !y || !radius) return std::nullopt;
   return Circle{*x - *radius, *y, r, 2.0 * *radius};
 }

@@ -181,7 +181,7 @@ JudgedRun small_judged_run() {
 }
 
 /// One row by the names of its columns.
-std::map<std::string, std::string> row_of(const std::string& csv, std::size_t row) {
+std::map<std::string, std::string> csv_row_of(const std::string& csv, std::size_t row) {
   const auto rows = rows_of(csv);
   std::map<std::string, std::string> named;
   for (std::size_t column = 0; column < rows.at(row).size(); ++column)
@@ -193,28 +193,29 @@ TEST(ClaimsCsv, HoldsOneRowPerClaim) {
   const JudgedRun judged = small_judged_run();
   const std::string csv = claims_csv(judged, false);
   ASSERT_EQ(rows_of(csv).size(), 3u);
-  EXPECT_EQ(row_of(csv, 1), (std::map<std::string, std::string>{{"id", "p/exact"},
-                                                                {"paper", "p"},
-                                                                {"topic", "Growth"},
-                                                                {"locator", "eq. 1, sec. 2"},
-                                                                {"kind", "count"},
-                                                                {"text", "Two, or more"},
-                                                                {"published", "5 \"edges\""},
-                                                                {"unit", "edges"},
-                                                                {"digits", "1"},
-                                                                {"measured", "5"},
-                                                                {"verdict", "reproduced"},
-                                                                {"row", "reproduced"},
-                                                                {"basis", "paper"},
-                                                                {"expected_verdict", "reproduced"},
-                                                                {"predicted_verdict", ""},
-                                                                {"difference", ""},
-                                                                {"machine_dependence", ""},
-                                                                {"erratum", ""},
-                                                                {"tier", "smoke"},
-                                                                {"reason", "exact"},
-                                                                {"repeat", ""}}));
-  auto timed = row_of(csv, 2);
+  EXPECT_EQ(csv_row_of(csv, 1),
+            (std::map<std::string, std::string>{{"id", "p/exact"},
+                                                {"paper", "p"},
+                                                {"topic", "Growth"},
+                                                {"locator", "eq. 1, sec. 2"},
+                                                {"kind", "count"},
+                                                {"text", "Two, or more"},
+                                                {"published", "5 \"edges\""},
+                                                {"unit", "edges"},
+                                                {"digits", "1"},
+                                                {"measured", "5"},
+                                                {"verdict", "reproduced"},
+                                                {"row", "reproduced"},
+                                                {"basis", "paper"},
+                                                {"expected_verdict", "reproduced"},
+                                                {"predicted_verdict", ""},
+                                                {"difference", ""},
+                                                {"machine_dependence", ""},
+                                                {"erratum", ""},
+                                                {"tier", "smoke"},
+                                                {"reason", "exact"},
+                                                {"repeat", ""}}));
+  auto timed = csv_row_of(csv, 2);
   EXPECT_EQ(timed["verdict"], "inconclusive");
   EXPECT_EQ(timed["row"], "inconclusive");
   EXPECT_EQ(timed["expected_verdict"], "not reproduced");
@@ -226,17 +227,17 @@ TEST(ClaimsCsv, HoldsOneRowPerClaim) {
 TEST(ClaimsCsv, NamesTheRowThatTheReportCountsAClaimIn) {
   JudgedRun judged = small_judged_run();
   judged.papers[0].claims.claims[0].basis = "fitted";
-  auto fitted = row_of(claims_csv(judged, false), 1);
+  auto fitted = csv_row_of(claims_csv(judged, false), 1);
   EXPECT_EQ(fitted["verdict"], "reproduced");
   EXPECT_EQ(fitted["row"], "reproduced, fitted");
   judged.papers[0].judgements[0].verdict = Verdict::reproduced_with_erratum;
-  EXPECT_EQ(row_of(claims_csv(judged, false), 1)["row"], "reproduced with erratum");
+  EXPECT_EQ(csv_row_of(claims_csv(judged, false), 1)["row"], "reproduced with erratum");
 }
 
 TEST(ClaimsCsv, LeavesOutWhatRestsOnTimesOnRequest) {
   const JudgedRun judged = small_judged_run();
-  EXPECT_EQ(row_of(claims_csv(judged, true), 1), row_of(claims_csv(judged, false), 1));
-  auto timed = row_of(claims_csv(judged, true), 2);
+  EXPECT_EQ(csv_row_of(claims_csv(judged, true), 1), csv_row_of(claims_csv(judged, false), 1));
+  auto timed = csv_row_of(claims_csv(judged, true), 2);
   EXPECT_EQ(timed["id"], "p/timed");
   EXPECT_EQ(timed["verdict"], "");
   EXPECT_EQ(timed["row"], "left out: rests on times");

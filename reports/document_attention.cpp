@@ -22,7 +22,7 @@ struct Group {
 };
 
 /// What failed or is inconclusive first; each claim once.
-constexpr Group groups[] = {
+constexpr Group attention_groups[] = {
     {"Not reproduced", "not-reproduced",
      [](const Judgement& j) { return j.verdict == Verdict::not_reproduced; }},
     {"Inconclusive", "inconclusive",
@@ -48,7 +48,7 @@ ordered_json claim_part(const Paper& paper, const Judgement& judgement, bool wit
 
 ordered_json attention_document(const JudgedRun& judged, bool without_varying) {
   ordered_json parts = ordered_json::array();
-  for (const Group& group : groups) {
+  for (const Group& group : attention_groups) {
     ordered_json claims = ordered_json::array();
     for (const JudgedPaper& paper : judged.papers)
       for (const Judgement& judgement : paper.judgements)

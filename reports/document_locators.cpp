@@ -7,18 +7,13 @@
 #include <optional>
 #include <utility>
 
+#include "reports/characters.hpp"
 #include "reports/natural_order.hpp"
 
 namespace phytobench {
 
 namespace {
 
-bool is_digit(char c) {
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-bool is_letter(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
 bool is_capital(char c) {
   return std::isupper(static_cast<unsigned char>(c)) != 0;
 }

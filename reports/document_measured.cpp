@@ -16,8 +16,8 @@ namespace phytobench {
 
 namespace {
 
-constexpr std::size_t most_values = 4;  ///< that a reader takes in at once
-constexpr std::size_t most_checks = 3;  ///< that are summed up one by one
+constexpr std::size_t most_values_shown = 4;  ///< that a reader takes in at once
+constexpr std::size_t most_checks = 3;        ///< that are summed up one by one
 
 struct Number {
   double value = 0.0;
@@ -136,7 +136,7 @@ std::string shown_measured(const Judgement& judgement) {
     missing += count_of(check, CheckOutcome::missing);
   }
   if (values > 0 && missing == values) return "not measured";
-  if (judgement.contradicted || values <= most_values) return judgement.measured;
+  if (judgement.contradicted || values <= most_values_shown) return judgement.measured;
   const std::string count = count_text(values, missing);
   // What fails needs no other evidence, and must not hide behind what is missing.
   if (missing > 0 && judgement.verdict == Verdict::not_measured) return count + " values";

@@ -16,7 +16,7 @@ namespace phytobench {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, PlaceKind>, 5> kinds = {
+constexpr std::array<std::pair<const char*, PlaceKind>, 5> known_place_kinds = {
     {{"section", PlaceKind::section},
      {"equation", PlaceKind::equation},
      {"figure", PlaceKind::figure},
@@ -57,7 +57,7 @@ std::vector<KnownPlace> known_places_of(const std::string& file) {
   const TomlTable root = TomlTable::read(file);
   root.allow_only({"section", "equation", "figure", "table", "listing"});
   std::vector<KnownPlace> known;
-  for (const auto& [name, kind] : kinds) {
+  for (const auto& [name, kind] : known_place_kinds) {
     if (!root.has(name)) continue;
     const TomlTable table = root.table(name);
     for (const std::string& number : table.keys())

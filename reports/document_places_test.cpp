@@ -70,7 +70,7 @@ TEST(ClaimIndex, SortsPlacesByKindAndClaimsByVerdict) {
 }
 
 /// The row of a place among all of a work, of which one claim is known.
-nlohmann::ordered_json row_of(const std::string& place) {
+nlohmann::ordered_json place_row_of(const std::string& place) {
   Claim claim = claim_at("brzoska2019/eq-17/holds", "eq. 17");
   claim.paper = "brzoska2019";
   const ClaimIndex index({{.claim = &claim, .verdict = Verdict::reproduced}}, false);
@@ -81,16 +81,16 @@ nlohmann::ordered_json row_of(const std::string& place) {
 }
 
 TEST(ClaimIndex, SaysWhereNoClaimIs) {
-  EXPECT_EQ(row_of("Equation 17")["without_claims"], "");
-  EXPECT_EQ(row_of("Equation 17")["pages"], "p. 39-43");
-  EXPECT_EQ(row_of("Equation 16")["without_claims"],
+  EXPECT_EQ(place_row_of("Equation 17")["without_claims"], "");
+  EXPECT_EQ(place_row_of("Equation 17")["pages"], "p. 39-43");
+  EXPECT_EQ(place_row_of("Equation 16")["without_claims"],
             "No checkable statement of its own found; there are claims on Section 5.2.1");
-  EXPECT_EQ(row_of("Section 5.2")["without_claims"],
+  EXPECT_EQ(place_row_of("Section 5.2")["without_claims"],
             "No claim on it as a whole; there are claims on Section 5.2.1");
-  EXPECT_EQ(row_of("Figure 23")["without_claims"], "No checkable statement of its own found");
-  EXPECT_EQ(row_of("Chapter 1")["without_claims"], "No checkable statement found");
-  EXPECT_EQ(row_of("Figure 23")["has_claims"], false);
-  EXPECT_TRUE(row_of("Figure 99").is_null());
+  EXPECT_EQ(place_row_of("Figure 23")["without_claims"], "No checkable statement of its own found");
+  EXPECT_EQ(place_row_of("Chapter 1")["without_claims"], "No checkable statement found");
+  EXPECT_EQ(place_row_of("Figure 23")["has_claims"], false);
+  EXPECT_TRUE(place_row_of("Figure 99").is_null());
 }
 
 }  // namespace

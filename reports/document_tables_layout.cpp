@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view cell_pattern = "{row}/{column}";
 
 /// "figure-46-left" -> "Figure 46 left".
-std::string label_of(std::string name) {
+std::string column_label_of(std::string name) {
   std::replace(name.begin(), name.end(), '-', ' ');
   name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
   return name;
@@ -35,7 +35,7 @@ std::size_t place_of(std::vector<TableLine>& lines, const std::string& name, std
   const auto found = line_named(lines, name);
   if (found != lines.end()) return static_cast<std::size_t>(found - lines.begin()) + 1;
   const auto at = lines.begin() + static_cast<std::ptrdiff_t>(before);
-  lines.insert(at, {name, label_of(name), std::nullopt});
+  lines.insert(at, {name, column_label_of(name), std::nullopt});
   return before + 1;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-Claim claim_of(const std::string& id, const std::string& basis) {
+Claim claim_with_basis(const std::string& id, const std::string& basis) {
   Claim claim;
   claim.id = id;
   claim.basis = basis;
@@ -22,8 +22,9 @@ Claim claim_of(const std::string& id, const std::string& basis) {
 
 /// Two works; only the second was run: one claim holds, one by fitting, one lacks evidence.
 struct PartialRun {
-  Claim plain = claim_of("b/plain", "paper"), fitted = claim_of("b/fitted", "fitted"),
-        absent = claim_of("a/absent", "paper");
+  Claim plain = claim_with_basis("b/plain", "paper"),
+        fitted = claim_with_basis("b/fitted", "fitted"),
+        absent = claim_with_basis("a/absent", "paper");
   JudgedRun judged;
 
   PartialRun() {

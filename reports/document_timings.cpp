@@ -55,7 +55,7 @@ std::string shown_value(double value, const std::string& unit) {
   return unit == "s" ? shown_seconds(value) : fmt::format("{:.4g} {}", value, unit);
 }
 
-std::string percent(double share) {
+std::string percent_to_two_digits(double share) {
   return fmt::format("{:.2g} %", 100.0 * share);
 }
 
@@ -74,8 +74,8 @@ ordered_json row_of(const std::string& name, const Series& series) {
 void add_scatter(ordered_json& part, const Scatter& scatter) {
   part["has_scatter"] = scatter.pairs >= least_pairs;
   part["pairs"] = scatter.pairs;
-  part["typical"] = percent(scatter.typical);
-  part["one_in_twenty"] = percent(scatter.one_in_twenty);
+  part["typical"] = percent_to_two_digits(scatter.typical);
+  part["one_in_twenty"] = percent_to_two_digits(scatter.one_in_twenty);
 }
 
 ordered_json experiment_part(const std::string& experiment, const SeriesByName& by_name,

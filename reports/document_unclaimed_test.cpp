@@ -7,7 +7,7 @@
 namespace phytobench {
 namespace {
 
-JudgedRun run_of(const std::vector<std::string>& measurements) {
+JudgedRun judged_run_of(const std::vector<std::string>& measurements) {
   JudgedRun judged;
   for (const std::string& name : measurements)
     judged.run.records.push_back({.experiment = "b/x", .measurement = "b/x/" + name, .value = 1.0});
@@ -16,7 +16,8 @@ JudgedRun run_of(const std::vector<std::string>& measurements) {
 
 TEST(Unclaimed, AreOneGroupWhereNamesDifferInNumbersAlone) {
   const auto document = unclaimed_document(
-      run_of({"step-0/plants", "step-20/plants", "step-20/mean", "end/plants", "total"}), false);
+      judged_run_of({"step-0/plants", "step-20/plants", "step-20/mean", "end/plants", "total"}),
+      false);
   ASSERT_EQ(document.size(), 1u);
   EXPECT_EQ(document[0]["experiment"], "b/x");
   EXPECT_EQ(document[0]["count"], 5);

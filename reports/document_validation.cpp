@@ -35,7 +35,7 @@ std::string set_name(const std::string& key) {
   return name;
 }
 
-std::string percent(double share) {
+std::string percent_to_tenths(double share) {
   return fmt::format("{:.1f} %", 100.0 * share);
 }
 
@@ -144,13 +144,14 @@ ordered_json rank_rows(const Validation& validation) {
   ordered_json rows = ordered_json::array();
   for (const IntervalRanks& row : validation.ranks) {
     const auto& exact = row.order_statistics;
-    rows.push_back({{"values", row.values},
-                    {"bootstrap", shown_ranks(row.bootstrap)},
-                    {"bootstrap_coverage", percent(row.bootstrap.coverage)},
-                    {"too_few", row.bootstrap.coverage < promised},
-                    {"others", fmt::format("{} of {}", row.other_ends, row.tried)},
-                    {"exact", exact ? shown_ranks(*exact) : std::string("none exists")},
-                    {"exact_coverage", exact ? percent(exact->coverage) : std::string("-")}});
+    rows.push_back(
+        {{"values", row.values},
+         {"bootstrap", shown_ranks(row.bootstrap)},
+         {"bootstrap_coverage", percent_to_tenths(row.bootstrap.coverage)},
+         {"too_few", row.bootstrap.coverage < promised},
+         {"others", fmt::format("{} of {}", row.other_ends, row.tried)},
+         {"exact", exact ? shown_ranks(*exact) : std::string("none exists")},
+         {"exact_coverage", exact ? percent_to_tenths(exact->coverage) : std::string("-")}});
   }
   return rows;
 }
@@ -182,7 +183,7 @@ ordered_json coverage_grid(const Validation& validation) {
     }
     const char* const note = row.share.high < promised ? " (too few)" : "";
     (*own)["cells"].push_back(
-        table_cell(percent(row.share.value) + note,
+        table_cell(percent_to_tenths(row.share.value) + note,
                    fmt::format("{:.1f} to {:.1f}", 100.0 * row.share.low, 100.0 * row.share.high)));
   }
   return grid;

@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-Claim claim_of(const std::string& id, const std::string& basis) {
+Claim claim_in_letter(const std::string& id, const std::string& basis) {
   Claim claim;
   claim.id = id;
   claim.locator = "eq. 2";
@@ -29,9 +29,11 @@ Claim claim_of(const std::string& id, const std::string& basis) {
 
 /// A work with two errata in the wrong order, one question and five claims.
 struct SmallWork {
-  Claim plain = claim_of("w/plain", "paper"), corrected = claim_of("w/corrected", "paper"),
-        read = claim_of("w/read", "assumed"), refuted = claim_of("w/refuted", "paper"),
-        timed = claim_of("w/timed", "paper");
+  Claim plain = claim_in_letter("w/plain", "paper"),
+        corrected = claim_in_letter("w/corrected", "paper"),
+        read = claim_in_letter("w/read", "assumed"),
+        refuted = claim_in_letter("w/refuted", "paper"),
+        timed = claim_in_letter("w/timed", "paper");
   JudgedPaper work;
 
   SmallWork() {
@@ -232,7 +234,7 @@ TEST(ErrataLetter, LeavesOutWhatRestsOnTimesIfAskedTo) {
 TEST(ErrataLetter, KnowsAPlainWordForEveryVerdict) {
   for (const Verdict verdict : all_verdicts)
     for (const char* basis : {"paper", "author-published", "assumed", "fitted"}) {
-      const Claim claim = claim_of("w/a", basis);
+      const Claim claim = claim_in_letter("w/a", basis);
       const Judgement judgement{.claim = &claim, .verdict = verdict};
       const std::vector<const Judgement*> one = {&judgement};
       ASSERT_EQ(verdict_counts(one, false).size(), 1u) << name_of(verdict) << ", " << basis;
@@ -241,7 +243,7 @@ TEST(ErrataLetter, KnowsAPlainWordForEveryVerdict) {
 }
 
 TEST(ErrataLetter, DoesNotCallADisagreementNoise) {
-  const Claim claim = claim_of("w/a", "paper");
+  const Claim claim = claim_in_letter("w/a", "paper");
   const Judgement noisy{.claim = &claim, .verdict = Verdict::inconclusive};
   Judgement contradicted = noisy;
   contradicted.contradicted = true;

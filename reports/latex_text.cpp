@@ -12,12 +12,12 @@ namespace phytobench {
 
 namespace {
 
-struct Letter {
+struct LatexLetter {
   char32_t code;
   std::string_view latex;
 };
 
-constexpr Letter letters[] = {
+constexpr LatexLetter letters[] = {
     {U'ä', R"({\"a})"},
     {U'ö', R"({\"o})"},
     {U'ü', R"({\"u})"},
@@ -79,7 +79,7 @@ constexpr Letter letters[] = {
 };
 
 std::string letter_text(char32_t code) {
-  for (const Letter& letter : letters)
+  for (const LatexLetter& letter : letters)
     if (letter.code == code) return std::string(letter.latex);
   return fmt::format("U+{:04X}", static_cast<std::uint32_t>(code));
 }

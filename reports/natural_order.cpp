@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "reports/natural_order.hpp"
 
+#include "reports/characters.hpp"
+
 namespace phytobench {
 
 namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 /// Digits of one number from the front of `text`, which loses them, without leading zeros.
 std::string_view take_number(std::string_view& text) {

@@ -11,23 +11,24 @@ namespace phytobench {
 
 namespace {
 
-using kainjow::mustache::data;
+using MustacheData = kainjow::mustache::data;
 using nlohmann::ordered_json;
 
-data mustache_data(const ordered_json& json) {
+MustacheData mustache_data(const ordered_json& json) {
   if (json.is_object()) {
-    data object{data::type::object};
+    MustacheData object{MustacheData::type::object};
     for (const auto& [key, value] : json.items()) object.set(key, mustache_data(value));
     return object;
   }
   if (json.is_array()) {
-    data list{data::type::list};
+    MustacheData list{MustacheData::type::list};
     for (const ordered_json& element : json) list.push_back(mustache_data(element));
     return list;
   }
   if (json.is_boolean())
-    return data{json.get<bool>() ? data::type::bool_true : data::type::bool_false};
-  return data{json.is_string() ? json.get<std::string>() : json.dump()};
+    return MustacheData{json.get<bool>() ? MustacheData::type::bool_true
+                                         : MustacheData::type::bool_false};
+  return MustacheData{json.is_string() ? json.get<std::string>() : json.dump()};
 }
 
 std::string escaped_for_html(const std::string& text) {

@@ -55,11 +55,11 @@ class ReportFolder : public testing::Test {
   fs::path root_;
 };
 
-const std::string verdicts = R"({"schema": "phytobench/verdicts-1"})";
+const std::string verdicts_text = R"({"schema": "phytobench/verdicts-1"})";
 
 /// What every report has, and these.
 ReportFiles report_with(ReportFiles files) {
-  files["verdicts.json"] = verdicts;
+  files["verdicts.json"] = verdicts_text;
   return files;
 }
 
@@ -70,7 +70,8 @@ TEST_F(ReportFolder, HoldsTheFilesAndTheirChecksums) {
   EXPECT_EQ(read("index.html"), "page");
   EXPECT_EQ(read("figures/a.svg"), "<svg/>");
   EXPECT_EQ(read("SHA256SUMS"), sha256_hex("<svg/>") + "  figures/a.svg\n" + sha256_hex("page") +
-                                    "  index.html\n" + sha256_hex(verdicts) + "  verdicts.json\n");
+                                    "  index.html\n" + sha256_hex(verdicts_text) +
+                                    "  verdicts.json\n");
   EXPECT_EQ(names(), (std::set<std::string>{"report", "report/SHA256SUMS", "report/figures",
                                             "report/figures/a.svg", "report/index.html",
                                             "report/verdicts.json"}));
@@ -97,10 +98,10 @@ TEST_F(ReportFolder, NeverRemovesWhatLiesOutsideOrBehindALink) {
   write("../outside.txt", "precious");
   write("kept.txt", "precious");
   const std::string digest = sha256_hex("precious");
-  write("verdicts.json", verdicts);
+  write("verdicts.json", verdicts_text);
   write("SHA256SUMS", digest + "  ../outside.txt\n" + digest + "  " +
                           fs::absolute(folder() / "kept.txt").string() + "\n" + digest +
-                          "  link.txt\n" + sha256_hex(verdicts) + "  verdicts.json\n");
+                          "  link.txt\n" + sha256_hex(verdicts_text) + "  verdicts.json\n");
   fs::create_symlink(folder() / "kept.txt", folder() / "link.txt");
   put_report(folder(), report_with({{"index.html", "page"}}));
   EXPECT_EQ(read("../outside.txt"), "precious");
@@ -163,9 +164,10 @@ TEST_F(ReportFolder, LetsSignalsThroughAgain) {
 
 TEST(Checksums, ReadBack) {
   const auto digests = checksums_in(checksum_lines(two_files));
-  EXPECT_EQ(digests, (std::map<std::string, std::string>{{"index.html", sha256_hex("page")},
-                                                         {"figures/a.svg", sha256_hex("<svg/>")},
-                                                         {"verdicts.json", sha256_hex(verdicts)}}));
+  EXPECT_EQ(digests,
+            (std::map<std::string, std::string>{{"index.html", sha256_hex("page")},
+                                                {"figures/a.svg", sha256_hex("<svg/>")},
+                                                {"verdicts.json", sha256_hex(verdicts_text)}}));
 }
 
 TEST(Checksums, LeaveOutWhatIsNoLineOfTheirs) {

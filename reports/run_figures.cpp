@@ -2,7 +2,6 @@
 #include "reports/run_figures.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -13,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/base64.hpp"
+#include "reports/characters.hpp"
 #include "reports/document_anchors.hpp"
 #include "reports/natural_order.hpp"
 
@@ -24,10 +24,6 @@ using nlohmann::ordered_json;
 
 constexpr double lettered_scale = 0.75;  ///< at which letters of 12 pixels can still be read
 constexpr std::size_t most_bytes_in_page = 60 * 1024;  ///< a larger picture is a link
-
-bool is_digit(char c) {
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
 
 /// "alsweis/x/figures-7.6-7.7.svg" -> "7.6-7.7"; nothing without a number of a figure.
 std::optional<std::string> figure_number(const std::string& artifact) {
@@ -54,7 +50,7 @@ ordered_json claims_on(const std::string& artifact, const ClaimIndex& claims) {
 }
 
 /// "figure-40-left" -> "Figure 40 left".
-std::string label_of(const std::string& artifact) {
+std::string artifact_label_of(const std::string& artifact) {
   std::string label = std::filesystem::path(artifact).stem().string();
   std::replace(label.begin(), label.end(), '-', ' ');
   label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
@@ -105,7 +101,7 @@ ordered_json figure_document(const std::string& name, const FigureSources& sourc
   figure["name"] = name;
   figure["anchor"] = "figure-" + slug(name);
   figure["file"] = figure_file(name);
-  figure["caption"] = caption.empty() ? label_of(name) : caption;
+  figure["caption"] = caption.empty() ? artifact_label_of(name) : caption;
   figure["description"] = description;
   figure["has_description"] = !description.empty() && description != caption;
   figure["claims"] = claims_on(name, claims);
@@ -153,7 +149,7 @@ ordered_json photographs_of(const std::string& paper,
   for (const auto& [name, bytes] : photographs) {
     if (!name.starts_with(paper + "/")) continue;
     const bool fits = bytes.size() <= most_bytes_in_page;
-    gallery.push_back({{"label", label_of(name)},
+    gallery.push_back({{"label", artifact_label_of(name)},
                        {"file", figure_file(name)},
                        {"in_page", fits},
                        {"source", fits ? "data:image/jpeg;base64," + to_base64(bytes) : ""},

@@ -7,13 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "reports/characters.hpp"
+
 namespace phytobench {
 
 namespace {
-
-bool is_letter(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
 
 /// A number of tenths without needless zeros: "3.5", "-.2", "12".
 std::string shown_tenths(long tenths) {

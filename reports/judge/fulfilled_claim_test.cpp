@@ -8,37 +8,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reports/judge/claim_fixture.hpp"
+
 namespace phytobench {
 namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Pair;
-using Terms = std::vector<std::vector<std::string>>;
-
-ClaimCheck check_of(CheckSubject subject, Terms terms) {
-  ClaimCheck check{.subject = subject, .terms = std::move(terms)};
-  check.required = check.terms.size();
-  return check;
-}
-
-ClaimCheck at_least(double low, ClaimCheck check) {
-  check.low = low;
-  return check;
-}
-
-Claim claim_of(std::vector<ClaimCheck> checks) {
-  Claim claim;
-  claim.checks = std::move(checks);
-  return claim;
-}
-
-Evidence evidence_of(std::vector<Record> records, std::vector<TimingSample> timings = {}) {
-  RunContents run;
-  run.records = std::move(records);
-  run.timings = std::move(timings);
-  return Evidence(run);
-}
 
 TEST(MeasurementsOfAClaim, AreThoseItNamesAndTheRunHas) {
   const Claim claim = claim_of({check_of(CheckSubject::sum, {{"+p/a", "-p/b"}, {"+p/t", "-p/c"}})});

@@ -13,11 +13,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reports/judge/claim_fixture.hpp"
+
 namespace phytobench {
 namespace {
 
 using testing::HasSubstr;
-using Terms = std::vector<std::vector<std::string>>;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -66,24 +67,9 @@ std::vector<TimingSample> together(std::vector<TimingSample> first,
   return first;
 }
 
-Evidence evidence_of(std::vector<Record> records, std::vector<TimingSample> timings = {}) {
-  RunContents run;
-  run.records = std::move(records);
-  run.timings = std::move(timings);
-  return Evidence(run);
-}
-
-ClaimCheck check_of(CheckSubject subject, Terms terms) {
-  ClaimCheck check;
-  check.subject = subject;
-  check.required = terms.size();
-  check.terms = std::move(terms);
+ClaimCheck exact_check_of(CheckSubject subject, Terms terms) {
+  ClaimCheck check = check_of(subject, std::move(terms));
   check.why = "exact";
-  return check;
-}
-
-ClaimCheck at_least(double low, ClaimCheck check) {
-  check.low = low;
   return check;
 }
 
@@ -107,24 +93,23 @@ ClaimCheck in_at_least(std::size_t required, ClaimCheck check) {
   return check;
 }
 
-Claim claim_of(std::vector<ClaimCheck> checks) {
-  Claim claim;
+Claim reasoned_claim_of(std::vector<ClaimCheck> checks) {
+  Claim claim = claim_of(std::move(checks));
   claim.id = "p/claim";
   claim.paper = "p";
   claim.reason = "the claim's own reason";
-  claim.checks = std::move(checks);
   return claim;
 }
 
 Verdict verdict_on(const std::vector<ClaimCheck>& checks, const Evidence& evidence) {
-  return judge(claim_of(checks), evidence, Tier::full).verdict;
+  return judge(reasoned_claim_of(checks), evidence, Tier::full).verdict;
 }
 
-const ClaimCheck value_of_a = check_of(CheckSubject::value, {{"p/e/a"}});
-const ClaimCheck a_over_b = check_of(CheckSubject::ratio, {{"p/e/a", "p/e/b"}});
+const ClaimCheck value_of_a = exact_check_of(CheckSubject::value, {{"p/e/a"}});
+const ClaimCheck a_over_b = exact_check_of(CheckSubject::ratio, {{"p/e/a", "p/e/b"}});
 const ClaimCheck ratio_of_two_ratios =
-    check_of(CheckSubject::ratio_of_ratios, {{"p/e/a", "p/e/b", "p/e/c", "p/e/d"}});
-const ClaimCheck a_minus_b = check_of(CheckSubject::sum, {{"+p/e/a", "-p/e/b"}});
+    exact_check_of(CheckSubject::ratio_of_ratios, {{"p/e/a", "p/e/b", "p/e/c", "p/e/d"}});
+const ClaimCheck a_minus_b = exact_check_of(CheckSubject::sum, {{"+p/e/a", "-p/e/b"}});
 
 // Every subject and form of bound, each with evidence for and against.
 
@@ -170,12 +155,12 @@ std::vector<CheckCase> value_cases() {
        {measured_text("p/e/a", "left")},
        {measured_text("p/e/a", "Left")}},
       {"value_in_all_terms",
-       exactly(1.0, check_of(CheckSubject::value, {{"p/e/a"}, {"p/e/b"}})),
+       exactly(1.0, exact_check_of(CheckSubject::value, {{"p/e/a"}, {"p/e/b"}})),
        {measured_count("p/e/a", 1), measured_count("p/e/b", 1)},
        {measured_count("p/e/a", 1), measured_count("p/e/b", 2)}},
       {"value_in_two_of_three_terms",
-       in_at_least(2,
-                   exactly(1.0, check_of(CheckSubject::value, {{"p/e/a"}, {"p/e/b"}, {"p/e/c"}}))),
+       in_at_least(
+           2, exactly(1.0, exact_check_of(CheckSubject::value, {{"p/e/a"}, {"p/e/b"}, {"p/e/c"}}))),
        {measured_count("p/e/a", 1), measured_count("p/e/b", 0), measured_count("p/e/c", 1)},
        {measured_count("p/e/a", 1), measured_count("p/e/b", 0), measured_count("p/e/c", 0)}},
   };
@@ -216,15 +201,16 @@ std::vector<CheckCase> combination_cases() {
        {measured_real("p/e/a", 1.0), measured_real("p/e/b", 1.0)},
        {measured_real("p/e/a", 1.0), measured_real("p/e/b", one_ulp_above(1.0))}},
       {"sum_of_three",
-       exactly(0.0, check_of(CheckSubject::sum, {{"+p/e/a", "-p/e/b", "-p/e/c"}})),
+       exactly(0.0, exact_check_of(CheckSubject::sum, {{"+p/e/a", "-p/e/b", "-p/e/c"}})),
        {measured_count("p/e/a", 5), measured_count("p/e/b", 2), measured_count("p/e/c", 3)},
        {measured_count("p/e/a", 5), measured_count("p/e/b", 3), measured_count("p/e/c", 3)}},
   };
 }
 
 std::vector<CheckCase> comparison_cases() {
-  const ClaimCheck same = check_of(CheckSubject::same, {{"p/e/a", "p/e/b", "p/e/c"}});
-  const ClaimCheck different = check_of(CheckSubject::different, {{"p/e/a", "p/e/b", "p/e/c"}});
+  const ClaimCheck same = exact_check_of(CheckSubject::same, {{"p/e/a", "p/e/b", "p/e/c"}});
+  const ClaimCheck different =
+      exact_check_of(CheckSubject::different, {{"p/e/a", "p/e/b", "p/e/c"}});
   const std::vector<Record> alike = {measured_count("p/e/a", 5), measured_count("p/e/b", 5),
                                      measured_count("p/e/c", 5)};
   const std::vector<Record> last_differs = {measured_count("p/e/a", 5), measured_count("p/e/b", 5),
@@ -233,11 +219,12 @@ std::vector<CheckCase> comparison_cases() {
       {"same_counts", same, alike, last_differs},
       {"different_counts", different, last_differs, alike},
       {"same_texts",
-       check_of(CheckSubject::same, {{"p/e/a", "p/e/b"}}),
+       exact_check_of(CheckSubject::same, {{"p/e/a", "p/e/b"}}),
        {measured_text("p/e/a", "500fa216eb9f6dc4"), measured_text("p/e/b", "500fa216eb9f6dc4")},
        {measured_text("p/e/a", "500fa216eb9f6dc4"), measured_text("p/e/b", "500fa216eb9f6dc5")}},
       {"different_in_one_of_two_terms",
-       in_at_least(1, check_of(CheckSubject::different, {{"p/e/a", "p/e/b"}, {"p/e/c", "p/e/d"}})),
+       in_at_least(
+           1, exact_check_of(CheckSubject::different, {{"p/e/a", "p/e/b"}, {"p/e/c", "p/e/d"}})),
        {measured_count("p/e/a", 1), measured_count("p/e/b", 1), measured_count("p/e/c", 1),
         measured_count("p/e/d", 2)},
        {measured_count("p/e/a", 1), measured_count("p/e/b", 1), measured_count("p/e/c", 2),
@@ -256,7 +243,7 @@ class JudgeCheck : public testing::TestWithParam<CheckCase> {};
 
 TEST_P(JudgeCheck, ThatHoldsIsReproduced) {
   const Judgement judgement =
-      judge(claim_of({GetParam().check}), evidence_of(GetParam().holds), {});
+      judge(reasoned_claim_of({GetParam().check}), evidence_of(GetParam().holds), {});
   EXPECT_EQ(judgement.verdict, Verdict::reproduced) << judgement.measured;
   ASSERT_EQ(judgement.checks.size(), 1u);
   EXPECT_EQ(judgement.checks[0].outcome, CheckOutcome::holds);
@@ -266,7 +253,7 @@ TEST_P(JudgeCheck, ThatHoldsIsReproduced) {
 
 TEST_P(JudgeCheck, ThatFailsIsNotReproduced) {
   const Judgement judgement =
-      judge(claim_of({GetParam().check}), evidence_of(GetParam().fails), {});
+      judge(reasoned_claim_of({GetParam().check}), evidence_of(GetParam().fails), {});
   EXPECT_EQ(judgement.verdict, Verdict::not_reproduced) << judgement.measured;
   ASSERT_EQ(judgement.checks.size(), 1u);
   EXPECT_EQ(judgement.checks[0].outcome, CheckOutcome::fails);
@@ -304,7 +291,7 @@ TEST(Judge, DoesNotTakeATextForANumber) {
 }
 
 TEST(Judge, FlipsWhenNumeratorAndDenominatorAreSwapped) {
-  const ClaimCheck b_over_a = check_of(CheckSubject::ratio, {{"p/e/b", "p/e/a"}});
+  const ClaimCheck b_over_a = exact_check_of(CheckSubject::ratio, {{"p/e/b", "p/e/a"}});
   const Evidence counted = evidence_of({measured_count("p/e/a", 3), measured_count("p/e/b", 2)});
   EXPECT_EQ(verdict_on({at_least(1.0, a_over_b)}, counted), Verdict::reproduced);
   EXPECT_EQ(verdict_on({at_least(1.0, b_over_a)}, counted), Verdict::not_reproduced);
@@ -318,7 +305,7 @@ TEST(Judge, FlipsWhenNumeratorAndDenominatorAreSwapped) {
 TEST(Judge, LetsOneFailedCheckDecide) {
   const ClaimCheck fails = exactly(2.0, value_of_a);
   const ClaimCheck holds = exactly(1.0, value_of_a);
-  const ClaimCheck missing = exactly(1.0, check_of(CheckSubject::value, {{"p/e/missing"}}));
+  const ClaimCheck missing = exactly(1.0, exact_check_of(CheckSubject::value, {{"p/e/missing"}}));
   const Evidence evidence = evidence_of({measured_count("p/e/a", 1)});
   EXPECT_EQ(verdict_on({holds, fails}, evidence), Verdict::not_reproduced);
   EXPECT_EQ(verdict_on({missing, fails}, evidence), Verdict::not_reproduced);
@@ -337,7 +324,7 @@ const std::vector<double> nine_rounds = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0,
 TEST(JudgeTiming, HoldsWithItsWholeIntervalInside) {
   const Evidence evidence = evidence_of({}, timed("p/e/a", nine_rounds));
   const Judgement judgement =
-      judge(claim_of({at_least(1.0, at_most(9.0, value_of_a))}), evidence, Tier::full);
+      judge(reasoned_claim_of({at_least(1.0, at_most(9.0, value_of_a))}), evidence, Tier::full);
   EXPECT_EQ(judgement.verdict, Verdict::reproduced);
   EXPECT_TRUE(judgement.varies);
 }
@@ -360,8 +347,8 @@ TEST(JudgeTiming, IsInconclusiveWithABoundInsideTheInterval) {
 TEST(JudgeTiming, ThatIsInconclusiveDecidesNeitherAgainstAFailureNorAgainstAGap) {
   const Evidence evidence = evidence_of({measured_count("p/e/b", 1)}, timed("p/e/a", nine_rounds));
   const ClaimCheck undecided = at_least(5.0, value_of_a);
-  const ClaimCheck fails = exactly(2.0, check_of(CheckSubject::value, {{"p/e/b"}}));
-  const ClaimCheck missing = exactly(2.0, check_of(CheckSubject::value, {{"p/e/missing"}}));
+  const ClaimCheck fails = exactly(2.0, exact_check_of(CheckSubject::value, {{"p/e/b"}}));
+  const ClaimCheck missing = exactly(2.0, exact_check_of(CheckSubject::value, {{"p/e/missing"}}));
   EXPECT_EQ(verdict_on({undecided, fails}, evidence), Verdict::not_reproduced);
   EXPECT_EQ(verdict_on({undecided, missing}, evidence), Verdict::not_measured);
 }
@@ -372,7 +359,7 @@ TEST(JudgeTiming, InSomeOfManyTermsMayStayOpen) {
       {}, together(timed("p/e/a", six_times(7.0)),
                    together(timed("p/e/b", nine_rounds), timed("p/e/c", six_times(1.0)))));
   const ClaimCheck check =
-      at_least(5.0, check_of(CheckSubject::value, {{"p/e/a"}, {"p/e/b"}, {"p/e/c"}}));
+      at_least(5.0, exact_check_of(CheckSubject::value, {{"p/e/a"}, {"p/e/b"}, {"p/e/c"}}));
   EXPECT_EQ(verdict_on({in_at_least(1, check)}, evidence), Verdict::reproduced);
   EXPECT_EQ(verdict_on({in_at_least(2, check)}, evidence), Verdict::inconclusive);
   EXPECT_EQ(verdict_on({in_at_least(3, check)}, evidence), Verdict::not_reproduced);
@@ -401,7 +388,7 @@ TEST(JudgeTiming, MeetsARecordedValueInEveryRound) {
 }
 
 TEST(JudgeTiming, OfASingleRoundIsNotMeasuredAndNamesTheTier) {
-  Claim claim = claim_of({at_least(0.0, value_of_a)});
+  Claim claim = reasoned_claim_of({at_least(0.0, value_of_a)});
   claim.tier = Tier::quick;
   const Judgement judgement = judge(claim, evidence_of({}, timed("p/e/a", {1.0})), Tier::smoke);
   EXPECT_EQ(judgement.verdict, Verdict::not_measured);
@@ -411,7 +398,7 @@ TEST(JudgeTiming, OfASingleRoundIsNotMeasuredAndNamesTheTier) {
 
 TEST(JudgeTiming, OfFewerThanSixRoundsStaysOpen) {
   // The extremes of five rounds enclose their median in 93.8 of 100 cases, those of six in 96.9.
-  Claim claim = claim_of({at_least(1.0, value_of_a)});
+  Claim claim = reasoned_claim_of({at_least(1.0, value_of_a)});
   const Judgement five =
       judge(claim, evidence_of({}, timed("p/e/a", {2.0, 2.0, 2.0, 2.0, 2.0})), Tier::quick);
   EXPECT_EQ(five.verdict, Verdict::inconclusive);
@@ -429,10 +416,10 @@ TEST(JudgeTiming, OfUnequalNumbersOfRoundsIsNotMeasured) {
 TEST(JudgeTiming, OfSeveralThreadsIsNotMeasuredAndSaysWhy) {
   const ClaimCheck holds = at_least(1.0, value_of_a);
   const Judgement one =
-      judge(claim_of({holds}), evidence_of({}, timed("p/e/a", six_times(2.0), 1)), {});
+      judge(reasoned_claim_of({holds}), evidence_of({}, timed("p/e/a", six_times(2.0), 1)), {});
   EXPECT_EQ(one.verdict, Verdict::reproduced);
   const Judgement two =
-      judge(claim_of({holds}), evidence_of({}, timed("p/e/a", six_times(2.0), 2)), {});
+      judge(reasoned_claim_of({holds}), evidence_of({}, timed("p/e/a", six_times(2.0), 2)), {});
   EXPECT_EQ(two.verdict, Verdict::not_measured);
   EXPECT_THAT(two.reason, HasSubstr("several threads"));
   EXPECT_THAT(two.reason, HasSubstr("--threads 1"));
@@ -441,7 +428,7 @@ TEST(JudgeTiming, OfSeveralThreadsIsNotMeasuredAndSaysWhy) {
 // From outcomes to verdicts.
 
 TEST(Judge, SaysWhyNothingWasMeasured) {
-  Claim claim = claim_of({exactly(1.0, value_of_a)});
+  Claim claim = reasoned_claim_of({exactly(1.0, value_of_a)});
   claim.tier = Tier::full;
   const Evidence nothing = evidence_of({});
   EXPECT_THAT(judge(claim, nothing, Tier::quick).reason, HasSubstr("needs tier full"));
@@ -452,14 +439,14 @@ TEST(Judge, SaysWhyNothingWasMeasured) {
 
 TEST(Judge, KeepsTheClaimsOwnReasonOnceMeasured) {
   const Evidence evidence = evidence_of({measured_count("p/e/a", 1)});
-  EXPECT_EQ(judge(claim_of({exactly(1.0, value_of_a)}), evidence, {}).reason,
+  EXPECT_EQ(judge(reasoned_claim_of({exactly(1.0, value_of_a)}), evidence, {}).reason,
             "the claim's own reason");
-  EXPECT_EQ(judge(claim_of({exactly(2.0, value_of_a)}), evidence, {}).reason,
+  EXPECT_EQ(judge(reasoned_claim_of({exactly(2.0, value_of_a)}), evidence, {}).reason,
             "the claim's own reason");
 }
 
 TEST(Judge, TurnsAHoldWithAnErratumIntoReproducedWithErratumAndNothingElse) {
-  Claim claim = claim_of({exactly(1.0, value_of_a)});
+  Claim claim = reasoned_claim_of({exactly(1.0, value_of_a)});
   claim.erratum = "E1";
   const auto verdict_for = [&](std::int64_t value) {
     return judge(claim, evidence_of({measured_count("p/e/a", value)}), {}).verdict;
@@ -470,7 +457,7 @@ TEST(Judge, TurnsAHoldWithAnErratumIntoReproducedWithErratumAndNothingElse) {
 }
 
 TEST(Judge, PassesAFixedVerdictOn) {
-  Claim claim = claim_of({});
+  Claim claim = reasoned_claim_of({});
   for (const Verdict fixed : all_verdicts) {
     claim.fixed_verdict = fixed;
     const Judgement judgement = judge(claim, evidence_of({measured_count("p/e/a", 1)}), {});
@@ -483,7 +470,7 @@ TEST(Judge, PassesAFixedVerdictOn) {
 TEST(Judge, HoldsEveryVerdictAgainstTheExpectedOneExceptNoiseAndGaps) {
   for (const Verdict expected : all_verdicts) {
     for (const Verdict found : all_verdicts) {
-      Claim claim = claim_of({});
+      Claim claim = reasoned_claim_of({});
       claim.expected_verdict = expected;
       const Judgement judgement{.claim = &claim, .verdict = found};
       const bool contradicts_nothing =
@@ -495,7 +482,7 @@ TEST(Judge, HoldsEveryVerdictAgainstTheExpectedOneExceptNoiseAndGaps) {
 }
 
 TEST(Judge, TakesNoTimeAsUnexpectedThatIsKnownToDependOnTheMachine) {
-  Claim claim = claim_of({});
+  Claim claim = reasoned_claim_of({});
   claim.expected_verdict = Verdict::reproduced;
   Judgement judgement{.claim = &claim, .verdict = Verdict::not_reproduced};
   judgement.varies = true;
@@ -554,15 +541,15 @@ TEST(JudgeLaw, WiderBoundsNeverMakeAVerdictWorse) {
 TEST(JudgeLaw, MoreRequiredTermsNeverMakeAVerdictBetter) {
   const Evidence evidence = evidence_of({measured_count("p/e/a", 1), measured_count("p/e/b", 0),
                                          measured_count("p/e/c", 1), measured_count("p/e/d", 0)});
-  const ClaimCheck check =
-      exactly(1.0, check_of(CheckSubject::value, {{"p/e/a"}, {"p/e/b"}, {"p/e/c"}, {"p/e/d"}}));
+  const ClaimCheck check = exactly(
+      1.0, exact_check_of(CheckSubject::value, {{"p/e/a"}, {"p/e/b"}, {"p/e/c"}, {"p/e/d"}}));
   for (std::size_t required = 1; required <= 4; ++required)
     EXPECT_EQ(verdict_on({in_at_least(required, check)}, evidence),
               required <= 2 ? Verdict::reproduced : Verdict::not_reproduced);
 }
 
 ClaimCheck how_many_are(const std::string& prefix, const std::string& text) {
-  ClaimCheck check = check_of(CheckSubject::matches, {{prefix}});
+  ClaimCheck check = exact_check_of(CheckSubject::matches, {{prefix}});
   check.equals_text = text;
   return check;
 }
@@ -617,8 +604,8 @@ std::vector<Record> power_law_records(double exponent) {
 }
 
 ClaimCheck exponent_check() {
-  return check_of(CheckSubject::exponent, {{"p/e/1/y", "p/e/1/x", "p/e/2/y", "p/e/2/x", "p/e/4/y",
-                                            "p/e/4/x", "p/e/8/y", "p/e/8/x"}});
+  return exact_check_of(CheckSubject::exponent, {{"p/e/1/y", "p/e/1/x", "p/e/2/y", "p/e/2/x",
+                                                  "p/e/4/y", "p/e/4/x", "p/e/8/y", "p/e/8/x"}});
 }
 
 TEST(JudgeExponent, DecidesOnTheFittedInterval) {

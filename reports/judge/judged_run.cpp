@@ -7,13 +7,13 @@ namespace phytobench {
 
 namespace {
 
-struct Place {
+struct TablePlace {
   std::size_t row = 0;
   std::size_t column = 0;
 };
 
-Place largest_of(const std::vector<std::vector<double>>& values) {
-  Place best;
+TablePlace largest_of(const std::vector<std::vector<double>>& values) {
+  TablePlace best;
   for (std::size_t row = 0; row < values.size(); ++row)
     for (std::size_t column = 0; column < values[row].size(); ++column)
       if (values[row][column] > values[best.row][best.column]) best = {row, column};
@@ -84,7 +84,7 @@ JudgedTable judge_table(const PublishedTable& table, const Evidence& evidence) {
   judged.companions = judge_companions(table, evidence);
   divide_by_work(judged, evidence);
   // Normalise both tables to their own largest cell.
-  const Place top = largest_of(table.values);
+  const TablePlace top = largest_of(table.values);
   for (const auto& row : table.values) {
     auto& shares = judged.published_share.emplace_back();
     for (const double value : row) shares.push_back(value / table.values[top.row][top.column]);
@@ -95,7 +95,7 @@ JudgedTable judge_table(const PublishedTable& table, const Evidence& evidence) {
     auto& own = medians.emplace_back();
     for (const Estimate& estimate : row) own.push_back(estimate.value);
   }
-  const Place largest = largest_of(medians);
+  const TablePlace largest = largest_of(medians);
   const std::string slowest = id(largest.row, largest.column);
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     auto& shares = judged.share.emplace_back();

@@ -28,12 +28,12 @@ Ends ends_of(const Aim& aim, const MedianOfRounds& measured) {
 }
 
 /// "25298/voxel_grid.dn/exact" -> 25298 and "voxel_grid.dn"; nothing for other measurements.
-struct Place {
+struct ScaledPlace {
   double size;
   std::string entry;
 };
 
-std::optional<Place> place_of(const std::string& measurement, const std::string& experiment) {
+std::optional<ScaledPlace> place_of(const std::string& measurement, const std::string& experiment) {
   static const std::string end = "/exact";
   if (!measurement.starts_with(experiment + "/") || !measurement.ends_with(end))
     return std::nullopt;
@@ -41,7 +41,7 @@ std::optional<Place> place_of(const std::string& measurement, const std::string&
       experiment.size() + 1, measurement.size() - experiment.size() - 1 - end.size());
   const std::size_t slash = path.find('/');
   if (slash == std::string::npos) return std::nullopt;
-  return Place{std::stod(path.substr(0, slash)), path.substr(slash + 1)};
+  return ScaledPlace{std::stod(path.substr(0, slash)), path.substr(slash + 1)};
 }
 
 class ScalingJudge {
@@ -71,7 +71,7 @@ class ScalingJudge {
     return samples.empty() ? std::nullopt : std::optional(samples.front());
   }
 
-  void add(const Place& place) {
+  void add(const ScaledPlace& place) {
     ScaledSize& size = judged_.sizes[place.size];
     size = {.points = number(place.size, "points").value_or(0.0),
             .nodes = number(place.size, "nodes").value_or(0.0),
@@ -85,7 +85,7 @@ class ScalingJudge {
     entry->at[place.size] = at_size(place, size);
   }
 
-  ScaledEntry::AtSize at_size(const Place& place, const ScaledSize& size) const {
+  ScaledEntry::AtSize at_size(const ScaledPlace& place, const ScaledSize& size) const {
     const auto of = [&](const std::string& quantity) { return place.entry + "/" + quantity; };
     ScaledEntry::AtSize at;
     at.exact = number(place.size, of("exact")) == 1.0;
@@ -103,7 +103,7 @@ class ScalingJudge {
     return at;
   }
 
-  std::string seconds_of(const Place& place) const {
+  std::string seconds_of(const ScaledPlace& place) const {
     return id(place.size, place.entry + "/seconds");
   }
 

@@ -9,28 +9,17 @@
 #include <gtest/gtest.h>
 
 #include "core/contract/errors.hpp"
+#include "reports/judge/claim_fixture.hpp"
 
 namespace phytobench {
 namespace {
 
 using testing::ElementsAre;
 
-ClaimCheck check_of(CheckSubject subject, std::vector<std::vector<std::string>> terms) {
-  ClaimCheck check{.subject = subject, .terms = std::move(terms)};
-  check.required = check.terms.size();
-  return check;
-}
-
 ClaimCheck between(double low, double high, ClaimCheck check) {
   check.low = low;
   check.high = high;
   return check;
-}
-
-Claim claim_of(std::vector<ClaimCheck> checks) {
-  Claim claim;
-  claim.checks = std::move(checks);
-  return claim;
 }
 
 std::optional<Refutation> refutation_of(const ClaimCheck& check, const Measurements& measurements) {
