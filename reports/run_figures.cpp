@@ -2,6 +2,7 @@
 #include "reports/run_figures.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <set>

@@ -18,7 +18,7 @@ constexpr VerdictRow row(Verdict verdict, std::string_view name) {
   return {name, verdict, name};
 }
 
-constexpr VerdictRow all_verdict_rows[] = {
+constexpr VerdictRow row_table[] = {
     row(Verdict::reproduced, "reproduced"),
     row(Verdict::reproduced, fitted_row),
     {corrected_label, Verdict::reproduced_with_erratum, "reproduced with erratum"},
@@ -59,15 +59,15 @@ std::string_view label_of(Verdict verdict) {
   return verdict == Verdict::reproduced_with_erratum ? corrected_label : name_of(verdict);
 }
 
-std::span<const VerdictRow> all_verdict_rows() {
-  return all_verdict_rows;
+std::span<const VerdictRow> verdict_rows() {
+  return row_table;
 }
 
 const VerdictRow& row_of(const Judgement& judgement) {
   const auto* const row =
-      std::find_if(std::begin(all_verdict_rows), std::end(all_verdict_rows),
+      std::find_if(std::begin(row_table), std::end(row_table),
                    [&](const auto& r) { return r.identifier == row_identifier(judgement); });
-  PHYTOBENCH_EXPECT(row != std::end(all_verdict_rows));
+  PHYTOBENCH_EXPECT(row != std::end(row_table));
   return *row;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "benchmarks/nearest_node/checked_growth.hpp"
 
-#include <limits>
-
 #include <gtest/gtest.h>
 
 #include "benchmarks/nearest_node/awkward_seedlings.hpp"

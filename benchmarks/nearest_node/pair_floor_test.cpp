@@ -3,7 +3,6 @@
 #include "benchmarks/nearest_node/awkward_seedlings.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include <gtest/gtest.h>

@@ -2,7 +2,6 @@
 #include "core/colonization/attraction_cloud.hpp"
 
 #include <limits>
-#include <utility>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,6 @@
 #include "core/competition/competition_parameters.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

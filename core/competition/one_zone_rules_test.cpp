@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rules of one zone, and zones that two plants share.
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 

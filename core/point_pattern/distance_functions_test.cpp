@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/point_pattern/distance_functions.hpp"
 
-#include <limits>
 #include <numeric>
 
 #include <gtest/gtest.h>

@@ -2,7 +2,6 @@
 #include "core/point_pattern/monte_carlo.hpp"
 
 #include <array>
-#include <limits>
 #include <numeric>
 
 #include <gtest/gtest.h>

@@ -2,7 +2,6 @@
 #include "core/tree/curve_reduction.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,6 @@
 #include "reports/judge/smallest_refutation.hpp"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
