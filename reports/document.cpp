@@ -12,6 +12,7 @@
 #include "reports/document_attention.hpp"
 #include "reports/document_numbers.hpp"
 #include "reports/document_papers.hpp"
+#include "reports/document_part.hpp"
 #include "reports/document_predictions.hpp"
 #include "reports/document_provenance.hpp"
 #include "reports/document_repeat.hpp"
@@ -140,11 +141,6 @@ std::string times_line(const ordered_json& environment, const RunComparison* com
                     : machine_line(environment);
 }
 
-void add(ordered_json& document, const std::string& key, ordered_json part) {
-  document["has_" + key] = !part.empty();
-  document[key] = std::move(part);
-}
-
 }  // namespace
 
 ordered_json make_document(const JudgedRun& judged, const DocumentSources& sources) {
@@ -156,7 +152,7 @@ ordered_json make_document(const JudgedRun& judged, const DocumentSources& sourc
   document["run"] = run_part(judged, sources, environment);
   document["summary"] = first_lines(judged, sources);
   document["counts"] = counts_document(judged, without_varying);
-  add(document, "attention", attention_document(judged, without_varying));
+  add_part(document, "attention", attention_document(judged, without_varying));
   document["predictions"] = predictions_document(judged, without_varying);
   document["papers"] = papers_part(judged, {judged.run,
                                             evidence,
@@ -164,16 +160,16 @@ ordered_json make_document(const JudgedRun& judged, const DocumentSources& sourc
                                             {sources.pictures, sources.plot_data, sources.captions},
                                             sources.photographs,
                                             without_varying});
-  add(document, "studies", studies_part(judged, sources));
+  add_part(document, "studies", studies_part(judged, sources));
   compact_pictures(document);
   document["timing"] = timings_document(judged.run, without_varying);
   document["timing"]["machine"] =
       without_varying ? "" : times_line(environment, sources.comparison);
-  add(document, "environment",
-      without_varying ? ordered_json::array() : environment_rows(environment));
+  add_part(document, "environment",
+           without_varying ? ordered_json::array() : environment_rows(environment));
   document["limits"] = run_limits(judged, without_varying);
   document["repeat"] = repeat_document(judged, costs, sources.comparison);
-  add(document, "unclaimed_groups", unclaimed_document(judged, without_varying));
+  add_part(document, "unclaimed_groups", unclaimed_document(judged, without_varying));
   document["unclaimed"] = total_count(document["unclaimed_groups"]);
   for (const char* slot : {"comparison", "validation"})
     document[std::string("has_") + slot] = false;

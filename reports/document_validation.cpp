@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/document_numbers.hpp"
+#include "reports/document_part.hpp"
 #include "reports/document_tables.hpp"
 
 namespace phytobench {
@@ -199,23 +200,18 @@ ordered_json round_rows(const Validation& validation) {
   return rows;
 }
 
-void add(ordered_json& document, const char* key, ordered_json rows) {
-  document[std::string("has_") + key] = !rows.empty();
-  document[key] = std::move(rows);
-}
-
 }  // namespace
 
 ordered_json validation_document(const Validation& validation, bool without_varying) {
   ordered_json document;
-  add(document, "certified", certified_rows(validation));
+  add_part(document, "certified", certified_rows(validation));
   document["certified_summary"] = certified_summary(validation);
-  add(document, "exact", exact_rows(validation));
-  add(document, "transcriptions", transcription_rows(validation));
+  add_part(document, "exact", exact_rows(validation));
+  add_part(document, "transcriptions", transcription_rows(validation));
   document["transcription_summary"] = transcription_summary(validation);
-  add(document, "orders", order_rows(validation));
-  add(document, "kept", kept_rows(validation));
-  add(document, "ranks", rank_rows(validation));
+  add_part(document, "orders", order_rows(validation));
+  add_part(document, "kept", kept_rows(validation));
+  add_part(document, "ranks", rank_rows(validation));
   document["grids"] = ordered_json::array();
   if (!validation.coverage.empty()) document["grids"].push_back(coverage_grid(validation));
   document["has_coverage"] = !validation.coverage.empty();
@@ -223,7 +219,7 @@ ordered_json validation_document(const Validation& validation, bool without_vary
   document["data_sets"] = validation.coverage.empty()
                               ? std::string()
                               : with_thousands(static_cast<double>(validation.coverage[0].sets));
-  add(document, "rounds", without_varying ? ordered_json::array() : round_rows(validation));
+  add_part(document, "rounds", without_varying ? ordered_json::array() : round_rows(validation));
   document["sampled"] = validation.sampled_records;
   document["with_spread"] = validation.spread_records;
   return document;

@@ -11,15 +11,11 @@
 
 #include "reports/document_anchors.hpp"
 #include "reports/errata_letter_text.hpp"
+#include "reports/replace_all.hpp"
 
 namespace phytobench {
 
 namespace {
-
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t i = text.find(from); i != std::string::npos; i = text.find(from, i + to.size()))
-    text.replace(i, from.size(), to);
-}
 
 /// "(text-4.6-badyears)" -> "(sec. 4.6)": other statements by their places.
 std::string with_places(std::string text, const JudgedPaper& work) {

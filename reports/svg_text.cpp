@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "reports/replace_all.hpp"
+
 namespace phytobench {
 
 namespace {
@@ -64,13 +66,6 @@ std::string without_entities(std::string_view text) {
     text.remove_prefix(entity == entities.end() ? 1 : entity->first.size());
   }
   return plain;
-}
-
-void replace_all(std::string& text, std::string_view from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
-    text.replace(at, from.size(), to);
-    at += to.size();
-  }
 }
 
 }  // namespace

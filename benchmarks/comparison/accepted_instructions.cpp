@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t least_digits = 12;
 
-bool is_commit(std::string_view text) {
+bool is_short_commit(std::string_view text) {
   return text.size() >= least_digits && text.size() <= 40 &&
          text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
@@ -40,7 +40,7 @@ AcceptedIncrease increase_from(const toml::table& table, const std::filesystem::
       increase.percent = read_number(value, {.high = 1000.0, .low_is_allowed = false});
     } else if (key == "base") {
       increase.base = read_text(value);
-      if (!is_commit(increase.base))
+      if (!is_short_commit(increase.base))
         value.fail("base must be a commit: at least 12 of its digits, in lower case");
     } else if (key == "reason") {
       increase.reason = some_text(value);

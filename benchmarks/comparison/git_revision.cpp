@@ -36,7 +36,7 @@ void demand(const ChildResult& result, const std::string& what) {
       fmt::format("{} {}: {}", what, ending_of(result, git_limit_s), last_line(result.err)));
 }
 
-bool is_commit(const std::string& text) {
+bool is_whole_commit(const std::string& text) {
   return text.size() >= 40 && std::all_of(text.begin(), text.end(), [](char c) {
            return ('0' <= c && c <= '9') || ('a' <= c && c <= 'f');
          });
@@ -59,7 +59,7 @@ std::optional<std::string> commit_named(const std::string& revision, const fs::p
   if (revision.empty() || revision.starts_with("-")) return std::nullopt;
   const ChildResult result =
       run_in(repository, {"git", "rev-parse", "--verify", "--quiet", revision + "^{commit}"});
-  if (!result.is_ok() || !is_commit(text_of(result))) return std::nullopt;
+  if (!result.is_ok() || !is_whole_commit(text_of(result))) return std::nullopt;
   return text_of(result);
 }
 
