@@ -13,7 +13,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr const char* schema = "phytobench/build-1";
+constexpr const char* build_schema = "phytobench/build-1";
 
 /// The example of [Lintermann1997] sec. 3.1.1; A and B are bodies.
 constexpr const char* published_example = R"(
@@ -89,14 +89,6 @@ class BuildCommand : public CommandLine {
   }
 };
 
-std::size_t lines_with(const std::string& text, const std::string& start) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find("\n" + start); at != std::string::npos;
-       at = text.find("\n" + start, at + 1))
-    ++count;
-  return count;
-}
-
 std::uint64_t sum_of(const json& rows, const char* key) {
   std::uint64_t sum = 0;
   for (const json& row : rows) sum += row.at(key).get<std::uint64_t>();
@@ -104,7 +96,7 @@ std::uint64_t sum_of(const json& rows, const char* key) {
 }
 
 TEST_F(BuildCommand, CountsThePublishedExampleAsItWasPredicted) {
-  const json plant = json_of({"build", "plant.toml", "--json"}, schema);
+  const json plant = json_of({"build", "plant.toml", "--json"}, build_schema);
   EXPECT_EQ(counts_of(plant),
             (std::map<std::string, std::uint64_t>{{"A", 1}, {"B", 1}, {"C", 1}, {"D", 9}}));
   EXPECT_EQ(plant["instances"], 12);
@@ -149,10 +141,10 @@ TEST_F(BuildCommand, BuildsEveryPresetAsPredicted) {
   for (const json& entry : listed["entries"]) {
     const std::string name = entry.at("id").get<std::string>();
     SCOPED_TRACE(name);
-    counts_of(json_of({"build", "--preset", name, "--json"}, schema));
+    counts_of(json_of({"build", "--preset", name, "--json"}, build_schema));
     EXPECT_THAT(output_of({"list", "presets"}), HasSubstr("\n" + name + " "));
   }
-  const auto bush = counts_of(json_of({"build", "--preset", "bush", "--json"}, schema));
+  const auto bush = counts_of(json_of({"build", "--preset", "bush", "--json"}, build_schema));
   EXPECT_EQ(bush.at("fork"), 121u);
   EXPECT_EQ(bush.at("twig"), 363u);
 }
@@ -172,8 +164,8 @@ TEST_F(BuildCommand, WritesTheSameBytesAgainAndOthersForAnotherSeed) {
 
 TEST_F(BuildCommand, ResolutionChangesMeshesAlone) {
   const json coarse =
-      json_of({"build", "--preset", "bush", "--resolution", "0.5", "--json"}, schema);
-  const json usual = json_of({"build", "--preset", "bush", "--json"}, schema);
+      json_of({"build", "--preset", "bush", "--resolution", "0.5", "--json"}, build_schema);
+  const json usual = json_of({"build", "--preset", "bush", "--json"}, build_schema);
   EXPECT_LT(coarse["triangles"], usual["triangles"]);
   EXPECT_EQ(coarse["components"], usual["components"]);
   EXPECT_EQ(coarse["resolution"], 0.5);
@@ -183,7 +175,7 @@ TEST_F(BuildCommand, PredictsNothingWhereChanceDecides) {
   write("chance.toml",
         "[graph]\nroot = \"a\"\n[component.a]\nkind = \"hydra\"\ncount = \"floor(random(2, 9))\"\n"
         "[component.b]\nkind = \"horn\"\n[[link]]\nfrom = \"a\"\nto = \"b\"\n");
-  const json plant = json_of({"build", "chance.toml", "--json"}, schema);
+  const json plant = json_of({"build", "chance.toml", "--json"}, build_schema);
   EXPECT_EQ(plant["components"][0]["predicted"], 1);
   EXPECT_EQ(plant["components"][1]["predicted"], nullptr);
   EXPECT_GE(plant["components"][1]["instances"], 2);
@@ -202,7 +194,7 @@ TEST_F(BuildCommand, RendersFromTheSideAskedFor) {
 
 TEST_F(BuildCommand, BuildsTheMomentAskedFor) {
   const auto at = [&](const std::string& time) {
-    return json_of({"build", "growing.toml", "--time=" + time, "--json"}, schema);
+    return json_of({"build", "growing.toml", "--time=" + time, "--json"}, build_schema);
   };
   EXPECT_EQ(at("0")["instances"], 2);
   EXPECT_EQ(at("0.5")["instances"], 5);
@@ -216,7 +208,7 @@ TEST_F(BuildCommand, WritesFramesOfAnAnimation) {
   std::filesystem::create_directories(folder() / "film");
   Words words{"build", "growing.toml", "--time", "0:1:4", "--out", "film/%03d.glb", "--json"};
   if (can_render()) words.insert(words.end(), {"--picture", "f-%d.png", "--picture-height", "40"});
-  const json plant = json_of(words, schema);
+  const json plant = json_of(words, build_schema);
   const json& frames = plant["frames"];
   ASSERT_EQ(frames.size(), 4u);
   EXPECT_EQ(frames[0]["time"], 0.0);
@@ -269,7 +261,7 @@ TEST_F(BuildCommand, ExamplesOfEveryKindCanBeBuilt) {
     EXPECT_THAT(output_of({"build", "--example", "list"}), HasSubstr(kind));
     if (!entry.at("built").get<bool>()) continue;
     write("example.toml", output_of({"build", "--example", kind}));
-    counts_of(json_of({"build", "example.toml", "--out", "example.obj", "--json"}, schema));
+    counts_of(json_of({"build", "example.toml", "--out", "example.obj", "--json"}, build_schema));
   }
   expect_refused_line("build --example phiballs", "did you mean 'phiball'?");
 }
@@ -284,8 +276,8 @@ TEST_F(BuildCommand, AnExampleMayBeAPreset) {
     EXPECT_THAT(examples, HasSubstr("\n" + name + " "));
     for (const json& kind : kinds["entries"]) EXPECT_NE(kind.at("id"), name) << "would hide it";
     write("mine.toml", output_of({"build", "--example", name}));
-    EXPECT_EQ(json_of({"build", "mine.toml", "--json"}, schema)["components"],
-              json_of({"build", "--preset", name, "--json"}, schema)["components"]);
+    EXPECT_EQ(json_of({"build", "mine.toml", "--json"}, build_schema)["components"],
+              json_of({"build", "--preset", name, "--json"}, build_schema)["components"]);
   }
   expect_refused_line("build --example bushh", "did you mean 'bush'?");
   expect_refused_line("build --example bush --json", "leave out --json");
@@ -341,7 +333,7 @@ TEST_F(BuildCommand, RefusesPlantsOfAbsurdSize) {
 
 TEST_F(BuildCommand, RefusesToWriteAPlantWithoutTriangles) {
   write("bare.toml", "[graph]\nroot = \"a\"\n[component.a]\nkind = \"simple\"\nshape = \"none\"\n");
-  const json plant = json_of({"build", "bare.toml", "--json"}, schema);
+  const json plant = json_of({"build", "bare.toml", "--json"}, build_schema);
   EXPECT_EQ(plant["triangles"], 0);
   EXPECT_EQ(plant["box"], nullptr);
   expect_refused_line("build bare.toml --out bare.obj", "no triangles");

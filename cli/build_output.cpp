@@ -7,6 +7,7 @@
 
 #include "cli/box_output.hpp"
 #include "cli/build_findings.hpp"
+#include "cli/json_values.hpp"
 #include "cli/option_values.hpp"
 #include "core/contract/counted_noun.hpp"
 
@@ -21,10 +22,6 @@ constexpr std::array<std::string_view, 3> surface_words{"bark", "leaf", "plain"}
 
 std::string_view word_of(Surface surface) {
   return surface_words.at(static_cast<std::size_t>(surface));
-}
-
-ordered_json text_or_null(const std::string& text) {
-  return text.empty() ? ordered_json(nullptr) : ordered_json(text);
 }
 
 template <class Number>

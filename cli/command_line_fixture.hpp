@@ -40,6 +40,15 @@ inline std::string content_of(const std::filesystem::path& file) {
   return std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
 }
 
+/// Lines after the first that begin so.
+inline std::size_t lines_with(const std::string& text, const std::string& start) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find("\n" + start); at != std::string::npos;
+       at = text.find("\n" + start, at + 1))
+    ++count;
+  return count;
+}
+
 inline std::ptrdiff_t line_count(const std::string& text) {
   return std::count(text.begin(), text.end(), '\n');
 }

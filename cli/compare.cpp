@@ -59,8 +59,8 @@ std::vector<std::string> names_of_either(std::vector<std::string> base,
   return base;
 }
 
-std::vector<std::string> chosen_names(const std::vector<std::string>& names,
-                                      const std::vector<std::string>& globs) {
+std::vector<std::string> names_to_compare(const std::vector<std::string>& names,
+                                          const std::vector<std::string>& globs) {
   std::vector<std::string> chosen;
   for (const std::size_t place : selected_names(names, globs, benchmark_words))
     chosen.push_back(names[place]);
@@ -147,7 +147,7 @@ class Comparison {
     const VerdictSettings verdicts{.tolerance = tolerance_of(options_, paired_tolerance_percent)};
     WorkerClient base = client_of(base_), other = client_of(other_);
     const std::vector<std::string> names =
-        chosen_names(names_of_either(names_of(base), names_of(other)), options_.benchmarks);
+        names_to_compare(names_of_either(names_of(base), names_of(other)), options_.benchmarks);
     StealMeter steal;
     PairRequest request{.base = &base,
                         .other = &other,
@@ -187,7 +187,7 @@ class Comparison {
     return measure_result({.side = &client,
                            .origin = side.origin,
                            .machine = this_result_machine(),
-                           .names = chosen_names(names_of(client), options_.benchmarks),
+                           .names = names_to_compare(names_of(client), options_.benchmarks),
                            .seed = options_.seed,
                            .samples = options_.samples,
                            .sample_ms = options_.sample_ms,
@@ -224,7 +224,7 @@ class Comparison {
       return names;
     };
     const std::vector<std::string> chosen =
-        chosen_names(names_of_either(names_in(base), names_in(other)), options_.benchmarks);
+        names_to_compare(names_of_either(names_in(base), names_in(other)), options_.benchmarks);
     for (StoredResult* result : {&base, &other})
       std::erase_if(result->benchmarks, [&](const StoredBenchmark& benchmark) {
         return std::find(chosen.begin(), chosen.end(), benchmark.name) == chosen.end();

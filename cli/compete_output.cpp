@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/compete_output.hpp"
+#include "cli/json_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,15 +17,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// JSON knows neither NaN nor infinity.
-ordered_json number(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
-
-ordered_json text_or_null(const std::string& text) {
-  return text.empty() ? ordered_json(nullptr) : ordered_json(text);
-}
-
 void add_row(ordered_json& row, const Fates& fates, const PlantStatistics& plants) {
   row["start"] = fates.start;
   row["born"] = fates.born;
@@ -32,12 +24,12 @@ void add_row(ordered_json& row, const Fates& fates, const PlantStatistics& plant
   row["alive"] = plants.plants;
   row["resting_seeds"] = fates.resting_seeds;
   row["density"] = plants.density;
-  row["mean_radius"] = number(plants.mean_radius);
-  row["largest_radius"] = number(plants.largest_radius);
+  row["mean_radius"] = number_or_null(plants.mean_radius);
+  row["largest_radius"] = number_or_null(plants.largest_radius);
   row["basal_area"] = plants.basal_area;
-  row["gini"] = number(plants.gini);
-  row["mean_loss"] = number(plants.mean_loss);
-  row["oppressed_share"] = number(plants.oppressed_share);
+  row["gini"] = number_or_null(plants.gini);
+  row["mean_loss"] = number_or_null(plants.mean_loss);
+  row["oppressed_share"] = number_or_null(plants.oppressed_share);
 }
 
 ordered_json ground_json(const PopulationParameters& parameters) {
@@ -107,11 +99,11 @@ std::string compete_json(const CompeteFindings& f, const CompeteOptions& options
   add_row(json["all"], fates.back(), f.last.statistics.all);
   json["pattern"] = nullptr;
   if (f.pattern)
-    json["pattern"] = {{"clark_evans", number(f.pattern->clark_evans)},
-                       {"hopkins", number(f.pattern->hopkins)},
-                       {"mean_nearest_distance", number(f.pattern->mean_nearest_distance)}};
+    json["pattern"] = {{"clark_evans", number_or_null(f.pattern->clark_evans)},
+                       {"hopkins", number_or_null(f.pattern->hopkins)},
+                       {"mean_nearest_distance", number_or_null(f.pattern->mean_nearest_distance)}};
   json["pairs"] = f.pairs;
-  json["pairs_per_step"] = number(pairs_per_step(f));
+  json["pairs_per_step"] = number_or_null(pairs_per_step(f));
   json["files"] = f.files;
   return json_text(json) + "\n";
 }

@@ -14,7 +14,7 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr const char* schema = "phytobench/derive-1";
+constexpr const char* derive_schema = "phytobench/derive-1";
 
 /// [Liebemann2017] eq. 2.6 with sides of length 1.
 constexpr const char* island =
@@ -40,7 +40,7 @@ class DeriveCommand : public CommandLine {
   json derived(Words words) const {
     words.insert(words.begin(), "derive");
     words.emplace_back("--json");
-    return json_of(words, schema);
+    return json_of(words, derive_schema);
   }
 
   /// How often each letter occurs, which must be as often as it is predicted.
@@ -54,14 +54,6 @@ class DeriveCommand : public CommandLine {
     return counts;
   }
 };
-
-std::size_t lines_with(const std::string& text, const std::string& start) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find("\n" + start); at != std::string::npos;
-       at = text.find("\n" + start, at + 1))
-    ++count;
-  return count;
-}
 
 TEST_F(DeriveCommand, CountsAndDrawsAsItWasPredicted) {
   const json word = derived({"island.lsys"});

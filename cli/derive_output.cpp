@@ -7,6 +7,7 @@
 
 #include "cli/box_output.hpp"
 #include "cli/derive_findings.hpp"
+#include "cli/json_values.hpp"
 #include "cli/option_values.hpp"
 #include "core/contract/counted_noun.hpp"
 
@@ -15,10 +16,6 @@ namespace phytobench::cli {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json text_or_null(const std::string& text) {
-  return text.empty() ? ordered_json(nullptr) : ordered_json(text);
-}
 
 ordered_json number_or_null(const std::optional<std::uint64_t>& number) {
   return number ? ordered_json(*number) : ordered_json(nullptr);

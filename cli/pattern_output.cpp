@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/pattern_output.hpp"
 
+#include "cli/json_values.hpp"
 #include "cli/option_values.hpp"
 
 #include <algorithm>
@@ -17,14 +18,9 @@ using nlohmann::ordered_json;
 
 constexpr double level = 0.05;
 
-/// JSON knows neither NaN nor infinity.
-ordered_json number(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
-
 ordered_json numbers(const std::vector<double>& values) {
   ordered_json list = ordered_json::array();
-  for (const double value : values) list.push_back(number(value));
+  for (const double value : values) list.push_back(number_or_null(value));
   return list;
 }
 
@@ -59,10 +55,11 @@ const char* edges_of(const PatternFindings& f) {
 }
 
 ordered_json ratio_json(double exact, double sampled, const std::vector<double>& null) {
-  ordered_json json{{"exact", number(exact)}, {"sampled", number(sampled)}, {"csr95", nullptr}};
+  ordered_json json{
+      {"exact", number_or_null(exact)}, {"sampled", number_or_null(sampled)}, {"csr95", nullptr}};
   if (!null.empty()) {
     const auto band = central_95(null);
-    json["csr95"] = {number(band[0]), number(band[1])};
+    json["csr95"] = {number_or_null(band[0]), number_or_null(band[1])};
   }
   return json;
 }
@@ -97,12 +94,12 @@ ordered_json window_json(const Window& window) {
 }
 
 ordered_json clark_evans_json(const ClarkEvansIndex& index) {
-  return {{"ratio", number(index.ratio)},
-          {"naive_ratio", number(index.naive_ratio)},
-          {"mean_distance", number(index.mean_distance)},
-          {"expected_distance", number(index.expected_distance)},
-          {"z", number(index.z)},
-          {"p_value", number(index.p_value)}};
+  return {{"ratio", number_or_null(index.ratio)},
+          {"naive_ratio", number_or_null(index.naive_ratio)},
+          {"mean_distance", number_or_null(index.mean_distance)},
+          {"expected_distance", number_or_null(index.expected_distance)},
+          {"z", number_or_null(index.z)},
+          {"p_value", number_or_null(index.p_value)}};
 }
 
 /// "0.2 to 3.4, 5" for the distances at which a curve is above (side 1) or below (-1) its envelope.

@@ -10,17 +10,17 @@ namespace phytobench::cli {
 namespace {
 
 using nlohmann::ordered_json;
-using State = DrawingEntry::State;
+using DrawingState = DrawingEntry::State;
 
-const char* name_of(State state) {
+const char* name_of(DrawingState state) {
   switch (state) {
-    case State::timed:
+    case DrawingState::timed:
       return "timed";
-    case State::wrong:
+    case DrawingState::wrong:
       return "wrong";
-    case State::refused:
+    case DrawingState::refused:
       return "refused";
-    case State::not_built:
+    case DrawingState::not_built:
       return "not built";
   }
   return "";
@@ -46,13 +46,14 @@ ordered_json entry_json(const DrawingEntry& entry, const LSystemWorkload& worklo
                     {"exact", nullptr},
                     {"median_s", nullptr},
                     {"ci95_s", nullptr}};
-  if (entry.state == State::not_built) json["missing_package"] = entry.engine->missing_package;
-  if (entry.state == State::refused) json["objection"] = entry.objection;
-  if (entry.state == State::wrong) {
+  if (entry.state == DrawingState::not_built)
+    json["missing_package"] = entry.engine->missing_package;
+  if (entry.state == DrawingState::refused) json["objection"] = entry.objection;
+  if (entry.state == DrawingState::wrong) {
     json["exact"] = false;
     json["disagreement"] = entry.objection;
   }
-  if (entry.state != State::timed) return json;
+  if (entry.state != DrawingState::timed) return json;
   json["exact"] = true;
   const MedianOfRounds seconds = median_of_rounds(entry.seconds);
   put_seconds(json, seconds);
@@ -96,7 +97,7 @@ ordered_json lsystem_document(const LSystemRaceResults& results,
     for (const DrawingEntry& entry : result.entries) {
       json["engines"].push_back(entry_json(entry, results.workloads[s]));
       const DrawingEntry* const base = baseline_of(result, entry);
-      if (base == nullptr || base == &entry || entry.state != State::timed) continue;
+      if (base == nullptr || base == &entry || entry.state != DrawingState::timed) continue;
       ordered_json ratio = ratio_json(full_name(*base), full_name(entry),
                                       ratio_of_rounds(base->seconds, entry.seconds));
       ratio["system"] = results.workloads[s].name;

@@ -10,12 +10,12 @@
 
 namespace phytobench::cli {
 
-using State = DrawingEntry::State;
+using DrawingState = DrawingEntry::State;
 
 bool LSystemRaceResults::all_right() const {
   for (const DrawingRaceResult& result : drawings)
     for (const DrawingEntry& entry : result.entries)
-      if (entry.state == State::wrong) return false;
+      if (entry.state == DrawingState::wrong) return false;
   return std::all_of(derivations.begin(), derivations.end(),
                      [](const DerivationEntry& entry) { return entry.objection.empty(); });
 }
@@ -23,7 +23,7 @@ bool LSystemRaceResults::all_right() const {
 const DrawingEntry* baseline_of(const DrawingRaceResult& result, const DrawingEntry& entry) {
   for (const DrawingEntry& other : result.entries)
     if (other.engine->name == baseline_engine && other.lane == entry.lane &&
-        other.state == State::timed)
+        other.state == DrawingState::timed)
       return &other;
   return nullptr;
 }
@@ -41,7 +41,7 @@ std::optional<double> mean_ns(const LSystemRaceResults& results, std::size_t ent
   double sum = 0.0;
   for (std::size_t s = 0; s < results.drawings.size(); ++s) {
     const DrawingEntry& e = results.drawings[s].entries[entry];
-    if (e.state != State::timed) return std::nullopt;
+    if (e.state != DrawingState::timed) return std::nullopt;
     sum += std::log(1e9 * median(e.seconds) / static_cast<double>(results.workloads[s].segments));
   }
   return std::exp(sum / static_cast<double>(results.drawings.size()));

@@ -9,7 +9,7 @@ namespace phytobench::cli {
 
 namespace {
 
-using State = DrawingEntry::State;
+using DrawingState = DrawingEntry::State;
 
 std::string held_text(std::uint64_t bytes) {
   const double kib = static_cast<double>(bytes) / 1024.0;
@@ -20,10 +20,11 @@ std::string drawing_row(const DrawingEntry& entry, const LSystemWorkload& worklo
                         const DrawingRaceResult& result) {
   const std::string head =
       fmt::format("{:<7}{:<29}", phytobench::name_of(entry.lane), full_name(entry));
-  if (entry.state == State::not_built)
+  if (entry.state == DrawingState::not_built)
     return fmt::format("{}not built: {} was not found\n", head, entry.engine->missing_package);
-  if (entry.state == State::refused) return fmt::format("{}left out: {}\n", head, entry.objection);
-  if (entry.state == State::wrong)
+  if (entry.state == DrawingState::refused)
+    return fmt::format("{}left out: {}\n", head, entry.objection);
+  if (entry.state == DrawingState::wrong)
     return fmt::format("{}WRONG, no time: {}\n", head, entry.objection);
   const MedianOfRounds s = median_of_rounds(entry.seconds);
   std::string ratio = "-";

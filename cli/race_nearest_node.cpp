@@ -16,7 +16,7 @@ namespace phytobench::cli {
 
 namespace {
 
-using State = RaceEntry::State;
+using NearestNodeState = RaceEntry::State;
 
 /// Names the engines that only come close, which have a lane of their own.
 const std::string approximate_lane = "approximate";
@@ -78,7 +78,7 @@ std::vector<ApproximateEntry> race_approximate(const NearestNodeRaceOptions& opt
   if (!names(approximate_lane)) loop_options = {loop_options.back()};  // they take their time
   const auto trusted =
       std::find_if(exact.entries.begin(), exact.entries.end(),
-                   [](const RaceEntry& entry) { return entry.state == State::timed; });
+                   [](const RaceEntry& entry) { return entry.state == NearestNodeState::timed; });
   const EngineDescriptor& judge =
       trusted == exact.entries.end() ? engine_named("node_driven") : *trusted->engine;
   return run_approximate_lane(
@@ -114,8 +114,9 @@ int race_into(std::string& text, const NearestNodeRaceOptions& options,
                                        .approximate = approximate,
                                        .plugins = plugins};
   text = options.json ? nearest_node_race_json(outcome) : nearest_node_race_table(outcome);
-  const bool wrong = std::any_of(result.entries.begin(), result.entries.end(),
-                                 [](const RaceEntry& e) { return e.state == State::inexact; });
+  const bool wrong =
+      std::any_of(result.entries.begin(), result.entries.end(),
+                  [](const RaceEntry& e) { return e.state == NearestNodeState::inexact; });
   return wrong || !all_raced(plugins) ? 1 : 0;
 }
 

@@ -12,17 +12,17 @@ namespace phytobench::cli {
 namespace {
 
 using nlohmann::ordered_json;
-using State = RaceEntry::State;
+using NearestNodeState = RaceEntry::State;
 
-const char* name_of(State state) {
+const char* name_of(NearestNodeState state) {
   switch (state) {
-    case State::timed:
+    case NearestNodeState::timed:
       return "timed";
-    case State::inexact:
+    case NearestNodeState::inexact:
       return "inexact";
-    case State::skipped:
+    case NearestNodeState::skipped:
       return "skipped";
-    case State::not_built:
+    case NearestNodeState::not_built:
       return "not built";
   }
   return "";
@@ -94,12 +94,13 @@ ordered_json entry_json(const RaceEntry& entry, const RaceResult& result,
                     {"phases", nullptr}};
   if (plugin != nullptr) put_plugin(json, *plugin);
   if (entry.predicted_s > 0.0) json["predicted_s"] = entry.predicted_s;
-  if (entry.state == State::not_built) json["missing_package"] = entry.engine->missing_package;
-  if (entry.state == State::inexact) {
+  if (entry.state == NearestNodeState::not_built)
+    json["missing_package"] = entry.engine->missing_package;
+  if (entry.state == NearestNodeState::inexact) {
     json["exact"] = false;
     json["disagreement"] = entry.disagreement;
   }
-  if (entry.state != State::timed) return json;
+  if (entry.state != NearestNodeState::timed) return json;
   json["exact"] = true;
   json["tree_hash"] = entry.tree_hash;
   put_seconds(json, total_of(entry));

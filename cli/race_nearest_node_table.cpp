@@ -11,7 +11,7 @@ namespace phytobench::cli {
 
 namespace {
 
-using State = RaceEntry::State;
+using NearestNodeState = RaceEntry::State;
 
 /// Pairs looked at, as a multiple of those that must be; "?" for a plugin, which does not count.
 std::string pairs_in_words(const RaceEntry& entry, const PairFloor& least, bool is_counted) {
@@ -36,15 +36,15 @@ std::string timed_line(const RaceEntry& entry, const RaceEntry& fastest, const R
 
 std::string other_line(const RaceEntry& entry) {
   switch (entry.state) {
-    case State::not_built:
+    case NearestNodeState::not_built:
       return fmt::format("{:<29} not built: {} was not found\n", entry.name(),
                          entry.engine->missing_package);
-    case State::skipped:
+    case NearestNodeState::skipped:
       return fmt::format("{:<29} skipped: predicted {} for one growth, more than --budget\n",
                          entry.name(), with_unit(entry.predicted_s));
-    case State::inexact:
+    case NearestNodeState::inexact:
       return fmt::format("{:<29} INEXACT, no time: {}\n", entry.name(), entry.disagreement);
-    case State::timed:
+    case NearestNodeState::timed:
       break;
   }
   return {};

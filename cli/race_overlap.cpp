@@ -22,7 +22,7 @@ namespace phytobench::cli {
 namespace {
 
 using nlohmann::ordered_json;
-using State = OverlapEntry::State;
+using OverlapState = OverlapEntry::State;
 
 std::vector<OverlapContestant> chosen_contestants(const OverlapRaceOptions& options) {
   std::vector<OverlapContestant> chosen;
@@ -72,15 +72,15 @@ OverlapWorkload chosen_workload(const OverlapRaceOptions& options) {
   return workload;
 }
 
-const char* name_of(State state) {
+const char* name_of(OverlapState state) {
   switch (state) {
-    case State::timed:
+    case OverlapState::timed:
       return "timed";
-    case State::inexact:
+    case OverlapState::inexact:
       return "inexact";
-    case State::skipped:
+    case OverlapState::skipped:
       return "skipped";
-    case State::not_built:
+    case OverlapState::not_built:
       return "not built";
   }
   return "";
@@ -90,7 +90,7 @@ const char* name_of(State state) {
 std::vector<const OverlapEntry*> ranking(const OverlapRaceResult& result) {
   std::vector<const OverlapEntry*> timed;
   for (const OverlapEntry& entry : result.entries)
-    if (entry.state == State::timed) timed.push_back(&entry);
+    if (entry.state == OverlapState::timed) timed.push_back(&entry);
   std::stable_sort(timed.begin(), timed.end(), [](const auto* a, const auto* b) {
     return median(a->seconds) < median(b->seconds);
   });
@@ -108,12 +108,13 @@ ordered_json entry_json(const OverlapEntry& entry) {
                     {"ci95_s", nullptr},
                     {"distance_evaluations", nullptr}};
   if (entry.predicted_s > 0.0) json["predicted_s"] = entry.predicted_s;
-  if (entry.state == State::not_built) json["missing_package"] = entry.engine->missing_package;
-  if (entry.state == State::inexact) {
+  if (entry.state == OverlapState::not_built)
+    json["missing_package"] = entry.engine->missing_package;
+  if (entry.state == OverlapState::inexact) {
     json["exact"] = false;
     json["disagreement"] = entry.disagreement;
   }
-  if (entry.state != State::timed) return json;
+  if (entry.state != OverlapState::timed) return json;
   json["exact"] = true;
   put_seconds(json, median_of_rounds(entry.seconds));
   json["distance_evaluations"] = entry.work.candidates;
@@ -159,15 +160,15 @@ std::string timed_line(const std::string& name, const std::vector<double>& secon
 
 std::string other_line(const OverlapEntry& entry) {
   switch (entry.state) {
-    case State::not_built:
+    case OverlapState::not_built:
       return fmt::format("{:<27} not built: {} was not found\n", entry.name(),
                          entry.engine->missing_package);
-    case State::skipped:
+    case OverlapState::skipped:
       return fmt::format("{:<27} skipped: predicted {} for one search, more than --budget\n",
                          entry.name(), with_unit(entry.predicted_s));
-    case State::inexact:
+    case OverlapState::inexact:
       return fmt::format("{:<27} INEXACT, no time: {}\n", entry.name(), entry.disagreement);
-    case State::timed:
+    case OverlapState::timed:
       break;
   }
   return {};
@@ -224,8 +225,9 @@ int race_overlap(const OverlapRaceOptions& options) {
                                                              .is_interrupted = is_interrupted});
   print(options.json ? json_text(document(workload, result, options)) + "\n"
                      : table(workload, result));
-  const bool wrong = std::any_of(result.entries.begin(), result.entries.end(),
-                                 [](const OverlapEntry& e) { return e.state == State::inexact; });
+  const bool wrong =
+      std::any_of(result.entries.begin(), result.entries.end(),
+                  [](const OverlapEntry& e) { return e.state == OverlapState::inexact; });
   return wrong ? 1 : 0;
 }
 

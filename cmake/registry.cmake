@@ -21,6 +21,8 @@ function(phytobench_registered DEF_FILE KIND SOURCE_FOLDER STUB OUT_SOURCES OUT_
       message(FATAL_ERROR "${DEF_FILE}: cannot read '${line}'; a line is ${KIND}(name, DEPENDENCY)")
     endif()
     set(source ${SOURCE_FOLDER}/${path}.cpp)
+    # Entries may use the same names: each implements the same interface.
+    set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     if(NOT EXISTS ${source})
       message(FATAL_ERROR "${DEF_FILE} lists '${path}', but ${source} does not exist")
     endif()

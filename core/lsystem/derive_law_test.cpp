@@ -10,13 +10,10 @@
 #include "core/lsystem/literal_derivation.hpp"
 #include "core/lsystem/random_lsystems.hpp"
 #include "core/lsystem/read_lsystem.hpp"
+#include "core/lsystem/test_lsystems.hpp"
 
 namespace phytobench {
 namespace {
-
-LSystem parsed(const std::string& text) {
-  return parse_lsystem(text, "test.lsys");
-}
 
 Word derived(const LSystem& system, int steps, std::uint64_t seed = 0, int threads = 1) {
   DeriveOptions options;
@@ -26,7 +23,7 @@ Word derived(const LSystem& system, int steps, std::uint64_t seed = 0, int threa
   return derive(system, options);
 }
 
-std::string word_after(const std::string& text, int steps) {
+std::string text_after(const std::string& text, int steps) {
   const LSystem system = parsed(text);
   return text_of(system, derived(system, steps));
 }
@@ -137,10 +134,10 @@ TEST(DeriveLaw, ManyStepsAtOnceGiveLongWords) {
 
 // A pass of one production after the other would give AAAA; one from left to right abb.
 TEST(DeriveLaw, RewritingIsParallel) {
-  EXPECT_EQ(word_after("axiom: ABAB\nA -> B\nB -> A\n", 1), "BABA");
-  EXPECT_EQ(word_after("axiom: ABAB\nB -> A\nA -> B\n", 1), "BABA");
-  EXPECT_EQ(word_after("axiom: b\nb -> a\na -> ab\n", 1), "a");
-  EXPECT_EQ(word_after("axiom: ab\na -> ab\nb -> a\n", 1), "aba");
+  EXPECT_EQ(text_after("axiom: ABAB\nA -> B\nB -> A\n", 1), "BABA");
+  EXPECT_EQ(text_after("axiom: ABAB\nB -> A\nA -> B\n", 1), "BABA");
+  EXPECT_EQ(text_after("axiom: b\nb -> a\na -> ab\n", 1), "a");
+  EXPECT_EQ(text_after("axiom: ab\na -> ab\nb -> a\n", 1), "aba");
 }
 
 TEST(DeriveLaw, ContextFreeWordsAreWordsOfTheirPieces) {
@@ -152,7 +149,7 @@ TEST(DeriveLaw, ContextFreeWordsAreWordsOfTheirPieces) {
     const std::string productions = RandomSystem::productions_in(random.text());
     const std::string x = random.word(), y = random.word();
     const auto word = [&](const std::string& axiom) {
-      return word_after("axiom: " + axiom + "\n" + productions, 5);
+      return text_after("axiom: " + axiom + "\n" + productions, 5);
     };
     EXPECT_EQ(word(x + y), word(x) + word(y)) << productions;
   }
@@ -163,7 +160,7 @@ TEST(DeriveLaw, SystemsWithoutProductionsKeepTheirAxiom) {
     RandomSystemOptions options;
     options.parametric = (seed & 1) != 0;
     const std::string axiom = "axiom: " + RandomSystem(seed, options).word() + "\n";
-    EXPECT_EQ(word_after(axiom, 9), word_after(axiom, 0));
+    EXPECT_EQ(text_after(axiom, 9), text_after(axiom, 0));
   }
 }
 

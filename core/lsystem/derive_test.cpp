@@ -10,15 +10,12 @@
 
 #include "core/contract/errors.hpp"
 #include "core/lsystem/read_lsystem.hpp"
+#include "core/lsystem/test_lsystems.hpp"
 
 namespace phytobench {
 namespace {
 
 using Words = std::vector<std::string>;
-
-LSystem parsed(const std::string& text) {
-  return parse_lsystem(text, "test.lsys");
-}
 
 Word derived(const LSystem& system, int steps) {
   DeriveOptions options;

@@ -25,7 +25,7 @@ Drawing square() {
   return TestWords(test_turtle(90.0)).drawn("F+F+F+F");
 }
 
-Drawing koch_island(int steps) {
+Drawing koch_curves(int steps) {
   return TestWords(test_turtle(90.0)).drawn(rewritten("F-F-F-F", {{'F', "F+F-F-FF+F+F-F"}}, steps));
 }
 
@@ -68,7 +68,7 @@ TEST(DrawingSvg, JoinsAndStraightensLines) {
 }
 
 TEST(DrawingSvg, IsSmall) {
-  EXPECT_LT(drawing_svg(koch_island(3), "2048 segments").size(), 14'000u);
+  EXPECT_LT(drawing_svg(koch_curves(3), "2048 segments").size(), 14'000u);
   const Drawing plant =
       TestWords(test_turtle(25.0)).drawn(rewritten("F", {{'F', "FF-[-F+F+F]+[+F-F-F]"}}, 4));
   EXPECT_LT(drawing_svg(plant, "4096 segments").size(), 60'000u);

@@ -8,15 +8,12 @@
 #include "core/lsystem/derive.hpp"
 #include "core/lsystem/random_lsystems.hpp"
 #include "core/lsystem/read_lsystem.hpp"
+#include "core/lsystem/test_lsystems.hpp"
 
 namespace phytobench {
 namespace {
 
 constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
-
-LSystem parsed(const std::string& text) {
-  return parse_lsystem(text, "test.lsys");
-}
 
 GrowthForecast forecast_of(const std::string& text, int steps) {
   return growth_forecast(parsed(text), steps).value();

@@ -59,6 +59,10 @@ struct Production {
   TextPlace place;                    ///< of the predecessor
 };
 
+inline bool has_context(const Production& production) {
+  return !production.left.empty() || !production.right.empty();
+}
+
 /// A module of the axiom.
 struct AxiomModule {
   SymbolIndex symbol = 0;

@@ -12,10 +12,6 @@ namespace phytobench {
 
 namespace {
 
-bool has_context(const Production& production) {
-  return !production.left.empty() || !production.right.empty();
-}
-
 OutcomeIndex outcome_of(std::size_t production) {
   return static_cast<OutcomeIndex>(most_symbols + production);
 }

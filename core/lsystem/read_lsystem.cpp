@@ -17,7 +17,7 @@ namespace phytobench {
 
 namespace {
 
-constexpr std::size_t most_bytes = 1 << 20;
+constexpr std::size_t most_file_bytes = 1 << 20;
 constexpr std::size_t most_productions = std::numeric_limits<std::uint16_t>::max();
 
 class LSystemReader {
@@ -166,14 +166,14 @@ class LSystemReader {
 }  // namespace
 
 LSystem parse_lsystem(std::string_view text, std::string_view name) {
-  if (text.size() > most_bytes)
+  if (text.size() > most_file_bytes)
     throw InputError(fmt::format("{}: is larger than {} bytes; this cannot be the right text", name,
-                                 most_bytes));
+                                 most_file_bytes));
   return LSystemReader(text, name).read();
 }
 
 LSystem read_lsystem(const std::filesystem::path& file) {
-  return parse_lsystem(read_text_file(file, most_bytes), file.string());
+  return parse_lsystem(read_text_file(file, most_file_bytes), file.string());
 }
 
 }  // namespace phytobench

@@ -12,16 +12,16 @@ namespace phytobench {
 
 namespace {
 
-constexpr auto none = std::string_view::npos;
+constexpr auto nowhere = std::string_view::npos;
 
 /// Whether `text` belongs to a list of colours, in which "#rrggbb" is no comment.
 bool lists_colours(std::string_view text) {
-  return text.find("colours") != none;
+  return text.find("colours") != nowhere;
 }
 
 /// Where the comment of a line begins.
 std::size_t comment_start(std::string_view line, bool goes_on_with_colours) {
-  for (std::size_t at = line.find('#'); at != none; at = line.find('#', at + 1)) {
+  for (std::size_t at = line.find('#'); at != nowhere; at = line.find('#', at + 1)) {
     if (at == 0) return at;
     if (!is_blank(line[at - 1])) continue;
     const bool touches = at + 1 < line.size() && !is_blank(line[at + 1]);

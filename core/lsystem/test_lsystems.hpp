@@ -2,7 +2,15 @@
 // Texts for tests of L-systems.
 #pragma once
 
+#include <string>
+
+#include "core/lsystem/read_lsystem.hpp"
+
 namespace phytobench {
+
+inline LSystem parsed(const std::string& text) {
+  return parse_lsystem(text, "test.lsys");
+}
 
 /// [Alsweis] sec. 3.2, L-System1.
 inline constexpr const char* stochastic_system =

@@ -13,10 +13,6 @@ namespace {
 
 using Context = std::vector<PatternModule>;
 
-bool has_context(const Production& production) {
-  return !production.left.empty() || !production.right.empty();
-}
-
 bool is_same(const PatternModule& a, const PatternModule& b) {
   return a.symbol == b.symbol;
 }
