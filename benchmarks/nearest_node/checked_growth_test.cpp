@@ -33,7 +33,8 @@ std::vector<NamedSeedling> workloads() {
   all.push_back({"one_point", seedling_with({{0.0, 0.5, 0.0}}, 0.5, 0.25, 5)});
   all.push_back({"no_point", seedling_with({}, 0.5, 0.25, 5)});
   all.push_back({"tiny_influence", seedling_with(random_cube(500, 1.0), 1e-9, 1e-9, 5)});
-  all.push_back({"infinite_influence", seedling_with(random_cube(300, 1.0), infinity, 0.3, 10)});
+  all.push_back(
+      {"infinite_influence", seedling_with(random_cube(300, 1.0), infinite_length, 0.3, 10)});
   all.push_back({"huge_coordinates", scaled_growth(1e12)});
   all.push_back({"tiny_coordinates", scaled_growth(1e-12)});
   return all;

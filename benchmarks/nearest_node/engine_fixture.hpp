@@ -8,7 +8,7 @@
 
 namespace phytobench {
 
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double infinite_length = std::numeric_limits<double>::infinity();
 
 inline bool is_wrong_on_purpose(const EngineDescriptor& engine) {
   return engine.summary.starts_with("Wrong on purpose");

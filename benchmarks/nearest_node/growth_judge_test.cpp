@@ -26,7 +26,7 @@ std::vector<NamedSeedling> judged_seedlings() {
   std::vector<NamedSeedling> all;
   all.push_back({"random", with_crown_stem(seedling_with(random_cube(900), 0.5, 0.3, 15))});
   all.push_back({"lattice", with_crown_stem(seedling_with(lattice(4, 0.25), 0.5, 0.25, 10))});
-  all.push_back({"infinite", seedling_with(random_cube(300), infinity, 0.3, 10)});
+  all.push_back({"infinite", seedling_with(random_cube(300), infinite_length, 0.3, 10)});
   all.push_back({"one_point", seedling_with({{0.0, 0.5, 0.0}}, 0.5, 0.25, 5)});
   all.push_back({"no_point", seedling_with({}, 0.5, 0.25, 5)});
   all.push_back({"test_tree", scaled_test_tree({.points = 3000.0}).seedling});

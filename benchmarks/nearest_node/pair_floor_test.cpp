@@ -63,7 +63,8 @@ std::vector<NamedSeedling> counted_seedlings() {
   all.push_back({"lattice", with_crown_stem(seedling_with(lattice(4, 0.25), 0.5, 0.25, 10))});
   all.push_back({"odd_lattice", with_crown_stem(seedling_with(lattice(6, 0.1), 0.3, 0.2, 10))});
   all.push_back({"duplicates", seedling_with(repeated(random_cube(200, 1.0)), 0.6, 0.3, 12)});
-  all.push_back({"infinite_influence", seedling_with(random_cube(300, 1.0), infinity, 0.3, 10)});
+  all.push_back(
+      {"infinite_influence", seedling_with(random_cube(300, 1.0), infinite_length, 0.3, 10)});
   all.push_back({"huge_coordinates", scaled_growth(1e12)});
   all.push_back({"tiny_coordinates", scaled_growth(1e-12)});
   all.push_back({"test_tree", scaled_test_tree({.points = 1500.0}).seedling});
@@ -102,7 +103,7 @@ TEST(PairFloor, IsFarFromBothNothingAndAllPairs) {
     EXPECT_EQ(floor.removal, points - result.live_points) << tried.name;
     EXPECT_GT(floor.removal, 0u) << tried.name;
     EXPECT_LE(floor.association, points * result.skeleton.node_count()) << tried.name;
-    if (seedling.growth.influence_distance < infinity)
+    if (seedling.growth.influence_distance < infinite_length)
       EXPECT_LT(floor.association, points * result.skeleton.node_count() / 2) << tried.name;
   }
 }
@@ -126,7 +127,7 @@ TEST(PairFloor, LosesNothingToRoundingAtCellBorders) {
       const double influence = hundredths / 100.0;
       double along = cell * influence;
       for (int i = 0; i < 4; ++i) along = std::nextafter(along, 0.0);
-      for (int i = 0; i < 6; ++i, along = std::nextafter(along, infinity))
+      for (int i = 0; i < 6; ++i, along = std::nextafter(along, infinite_length))
         for (const Vector3& axis : {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}) {
           std::vector<Vector3> points{{0, 0, 0}};
           double beyond = along + influence;

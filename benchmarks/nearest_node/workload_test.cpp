@@ -137,7 +137,8 @@ TEST(ScaledTestTree, TakesIterationsAndSeedFromTheRequest) {
 }
 
 TEST(ScaledTestTree, OfAnAbsurdSizeIsAnInputErrorThatSaysWhatIsPossible) {
-  for (const double points : {0.0, 0.5, -1.0, 2.1e8, 1e300, infinity, -infinity, not_a_number}) {
+  for (const double points :
+       {0.0, 0.5, -1.0, 2.1e8, 1e300, infinite_length, -infinite_length, not_a_number}) {
     try {
       scaled_test_tree({.points = points});
       ADD_FAILURE() << points << " points were accepted";
@@ -281,10 +282,10 @@ TEST(WorkloadFromPoints, OfADegenerateCloudHasFinitePositiveLengthsAndGrows) {
     for (const double length : {growth.step_length, growth.influence_distance,
                                 growth.kill_distance.begin, growth.kill_distance.end}) {
       EXPECT_GT(length, 0.0) << cloud.name;
-      EXPECT_LT(length, infinity) << cloud.name;
+      EXPECT_LT(length, infinite_length) << cloud.name;
     }
     EXPECT_GE(workload.density, 0.0) << cloud.name;
-    EXPECT_LT(workload.density, infinity) << cloud.name;
+    EXPECT_LT(workload.density, infinite_length) << cloud.name;
     EXPECT_TRUE(is_finite(workload.seedling.skeleton.position(0))) << cloud.name;
     const GrowthResult result = grown(workload);
     for (const Vector3& node : result.skeleton.positions())
