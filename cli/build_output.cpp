@@ -24,11 +24,6 @@ std::string_view word_of(Surface surface) {
   return surface_words.at(static_cast<std::size_t>(surface));
 }
 
-template <class Number>
-ordered_json number_or_null(const std::optional<Number>& number) {
-  return number ? ordered_json(*number) : ordered_json(nullptr);
-}
-
 ordered_json components_json(const ComponentGraph& graph, const BuildFindings& findings) {
   ordered_json rows = ordered_json::array();
   for (std::size_t i = 0; i < graph.prototypes.size(); ++i) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "cli/compete_output.hpp"
-#include "cli/json_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/json_values.hpp"
 #include "cli/option_values.hpp"
 
 namespace phytobench::cli {

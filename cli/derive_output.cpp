@@ -17,10 +17,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json number_or_null(const std::optional<std::uint64_t>& number) {
-  return number ? ordered_json(*number) : ordered_json(nullptr);
-}
-
 /// As digits: numbers in JSON end early.
 ordered_json digits_or_null(const std::optional<ExactCount>& count) {
   return count ? ordered_json(count->digits) : ordered_json(nullptr);

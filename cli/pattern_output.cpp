@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "cli/pattern_output.hpp"
 
-#include "cli/json_values.hpp"
-#include "cli/option_values.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "cli/json_values.hpp"
+#include "cli/option_values.hpp"
 
 namespace phytobench::cli {
 

@@ -94,7 +94,7 @@ void add_prediction(ordered_json& part, const Judgement& judgement, bool hidden)
 
 void add_repeat(ordered_json& part, const Claim& claim, const ClaimContext& context) {
   const std::vector<std::string> experiments = experiments_of(claim);
-  const ExperimentCost cost = context.costs.of(experiments, claim.tier);
+  const CostOfRepeat cost = context.costs.of(experiments, claim.tier);
   part["has_repeat"] = !experiments.empty();
   part["repeat"] = repeat_experiments(experiments, claim.tier, context.seed);
   add_text(part, "time", cost.time);

@@ -21,7 +21,7 @@ ExperimentCosts::ExperimentCosts(const RunContents& run,
   }
 }
 
-ExperimentCost ExperimentCosts::of(const std::vector<std::string>& experiments, Tier tier) const {
+CostOfRepeat ExperimentCosts::of(const std::vector<std::string>& experiments, Tier tier) const {
   double seconds = 0.0, peak_mib = 0.0;
   bool varies = false;
   for (const std::string& experiment : experiments) {

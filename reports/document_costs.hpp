@@ -19,7 +19,7 @@ struct ExperimentFacts {
 };
 
 /// Ready texts; empty where nothing is known.
-struct ExperimentCost {
+struct CostOfRepeat {
   std::string time;     ///< "12 s"
   std::string memory;   ///< "45 MiB", of one run's peak; measured only
   bool varies = false;  ///< measured in this run, and so different in each
@@ -34,7 +34,7 @@ class ExperimentCosts {
 
   /// Of all these experiments together at a tier: sum of their times, largest memory. Nothing if
   /// the time of one of them is not known.
-  ExperimentCost of(const std::vector<std::string>& experiments, Tier tier) const;
+  CostOfRepeat of(const std::vector<std::string>& experiments, Tier tier) const;
 
   /// Total time of the run's experiments; 0 where the run does not say.
   double measured_seconds() const;

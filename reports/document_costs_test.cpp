@@ -24,7 +24,7 @@ struct CostlyRun {
 TEST(ExperimentCosts, AreTheMeasuredOnesOfThisTier) {
   const CostlyRun costly;
   const ExperimentCosts costs(costly.run, costly.facts, false);
-  const ExperimentCost cost = costs.of({"b/x"}, Tier::quick);
+  const CostOfRepeat cost = costs.of({"b/x"}, Tier::quick);
   EXPECT_EQ(cost.time, "2 min");
   EXPECT_EQ(cost.memory, "45 MiB");
   EXPECT_TRUE(cost.varies);
@@ -42,7 +42,7 @@ TEST(ExperimentCosts, AreTheExpectedOnesOtherwise) {
 
 TEST(ExperimentCosts, DoNotVaryWhereNothingMay) {
   const CostlyRun costly;
-  const ExperimentCost cost =
+  const CostOfRepeat cost =
       ExperimentCosts(costly.run, costly.facts, true).of({"b/x"}, Tier::quick);
   EXPECT_EQ(cost.time, "2 min");
   EXPECT_EQ(cost.memory, "");

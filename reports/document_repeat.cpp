@@ -22,7 +22,7 @@ using nlohmann::ordered_json;
 ordered_json experiment_row(const std::string& experiment, const JudgedRun& judged,
                             const ExperimentCosts& costs, std::size_t claims) {
   const RunHeader& header = judged.run.header;
-  const ExperimentCost cost = costs.of({experiment}, header.tier);
+  const CostOfRepeat cost = costs.of({experiment}, header.tier);
   const auto facts = costs.facts().find(experiment);
   const std::string question = facts == costs.facts().end() ? "" : facts->second.question;
   return {{"id", experiment},
