@@ -21,7 +21,7 @@ constexpr const char* island =
     "axiom: F-F-F-F\np1 : F -> F+F-F-FF+F+F-F\nsteps: 2   angle: 90   step: 1\n";
 
 /// A tree in space with leaves, wider at its root.
-constexpr const char* tree =
+constexpr const char* tree_system =
     "axiom: A(2)\n"
     "A(w) -> !(w)F[+(40)A(w / 2)]/(90)[&(40)A(w / 2)][{.f+f+f}]F\n"
     "angle: 120   steps: 3\n";
@@ -32,7 +32,7 @@ class DeriveCommand : public CommandLine {
  protected:
   void SetUp() override {
     write("island.lsys", island);
-    write("tree.lsys", tree);
+    write("tree.lsys", tree_system);
     write("gambler.lsys", gambler);
   }
   const std::set<std::string> given_ = {"gambler.lsys", "island.lsys", "tree.lsys"};

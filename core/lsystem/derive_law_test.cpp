@@ -15,7 +15,7 @@
 namespace phytobench {
 namespace {
 
-Word derived(const LSystem& system, int steps, std::uint64_t seed = 0, int threads = 1) {
+Word word_of(const LSystem& system, int steps, std::uint64_t seed = 0, int threads = 1) {
   DeriveOptions options;
   options.steps = steps;
   options.seed = seed;
@@ -25,7 +25,7 @@ Word derived(const LSystem& system, int steps, std::uint64_t seed = 0, int threa
 
 std::string text_after(const std::string& text, int steps) {
   const LSystem system = parsed(text);
-  return text_of(system, derived(system, steps));
+  return text_of(system, word_of(system, steps));
 }
 
 /// Systems whose words after the steps given fill many blocks.
@@ -52,11 +52,11 @@ const LargeSystem large_systems[] = {
 TEST(DeriveLaw, WordsAreTheSameForAnyNumberOfThreads) {
   for (const LargeSystem& large : large_systems) {
     const LSystem system = parsed(large.text);
-    const Word alone = derived(system, large.steps, 5);
+    const Word alone = word_of(system, large.steps, 5);
     EXPECT_GT(alone.size(), 100'000u) << large.name;
     const std::string hash = word_hash(system, alone);
     for (const int threads : {2, 3, 7})
-      EXPECT_EQ(word_hash(system, derived(system, large.steps, 5, threads)), hash)
+      EXPECT_EQ(word_hash(system, word_of(system, large.steps, 5, threads)), hash)
           << large.name << ", " << threads << " threads";
   }
 }
@@ -71,7 +71,7 @@ std::pair<std::string, std::string> both_ways(const std::string& text, std::uint
     ++steps;
   }
   return {word_hash(system, literal_word_of(system, steps, seed)),
-          word_hash(system, derived(system, steps, seed))};
+          word_hash(system, word_of(system, steps, seed))};
 }
 
 TEST(DeriveLaw, RandomSystemsAreDerivedAsDefined) {
@@ -92,7 +92,7 @@ TEST(DeriveLaw, LongWordsAreDerivedAsDefined) {
   for (const LargeSystem& large : large_systems) {
     const LSystem system = parsed(large.text);
     EXPECT_EQ(word_hash(system, literal_word_of(system, large.steps, 5)),
-              word_hash(system, derived(system, large.steps, 5, 2)))
+              word_hash(system, word_of(system, large.steps, 5, 2)))
         << large.name;
   }
 }
@@ -100,8 +100,8 @@ TEST(DeriveLaw, LongWordsAreDerivedAsDefined) {
 TEST(DeriveLaw, TheLiteralDerivationTellsSystemsApart) {
   const LSystem right = parsed("axiom: AB[C]\nA > B[C] -> CA\nB -> BB\n");
   const LSystem wrong = parsed("axiom: AB[C]\nA > [C] -> CA\nB -> BB\n");
-  EXPECT_EQ(word_hash(right, literal_word_of(right, 2, 0)), word_hash(right, derived(right, 2)));
-  EXPECT_NE(word_hash(right, literal_word_of(right, 2, 0)), word_hash(wrong, derived(wrong, 2)));
+  EXPECT_EQ(word_hash(right, literal_word_of(right, 2, 0)), word_hash(right, word_of(right, 2)));
+  EXPECT_NE(word_hash(right, literal_word_of(right, 2, 0)), word_hash(wrong, word_of(wrong, 2)));
 }
 
 TEST(DeriveLaw, ManyStepsAtOnceGiveTheWordOfEachStep) {
@@ -114,7 +114,7 @@ TEST(DeriveLaw, ManyStepsAtOnceGiveTheWordOfEachStep) {
     options.each_word = [&](int, const Word& word) { words.push_back(word_hash(system, word)); };
     derive(system, options);
     for (int step = 0; step <= 7; ++step)
-      ASSERT_EQ(word_hash(system, derived(system, step)), words[static_cast<std::size_t>(step)])
+      ASSERT_EQ(word_hash(system, word_of(system, step)), words[static_cast<std::size_t>(step)])
           << text;
   }
 }
@@ -128,7 +128,7 @@ TEST(DeriveLaw, ManyStepsAtOnceGiveLongWords) {
     std::string last;
     options.each_word = [&](int, const Word& word) { last = word_hash(system, word); };
     derive(system, options);
-    EXPECT_EQ(word_hash(system, derived(system, large.steps, 5)), last) << large.name;
+    EXPECT_EQ(word_hash(system, word_of(system, large.steps, 5)), last) << large.name;
   }
 }
 
@@ -199,7 +199,7 @@ double chi_square(int steps, const Chances& chances) {
   const LSystem system = parsed(stochastic_text);
   std::map<std::string, int> counts;
   for (int seed = 0; seed < seeds; ++seed)
-    ++counts[text_of(system, derived(system, steps, static_cast<std::uint64_t>(seed)))];
+    ++counts[text_of(system, word_of(system, steps, static_cast<std::uint64_t>(seed)))];
   double statistic = 0.0;
   for (const auto& [outcome, chance] : chances) {
     const double expected = seeds * chance;
@@ -235,7 +235,7 @@ TEST(DeriveLaw, TheTestOfChancesSeesWrongOnes) {
 TEST(DeriveLaw, TheProductionWithContextsFiresOnce) {
   const LSystem system = parsed(stochastic_text);
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const std::string word = text_of(system, derived(system, 5, seed));
+    const std::string word = text_of(system, word_of(system, 5, seed));
     EXPECT_EQ(std::count(word.begin(), word.end(), '['), 1) << word;
     EXPECT_NE(word.find("B(6)["), std::string::npos) << word;
   }
@@ -244,7 +244,7 @@ TEST(DeriveLaw, TheProductionWithContextsFiresOnce) {
 TEST(DeriveLaw, LargeGroupsKeepTheirProbabilities) {
   const LSystem system = parsed("axiom: " + std::string(10'000, 'A') +
                                 "\nA -> B : 0.2\nA -> C : 0.5\nA -> D : 0.05\nA -> E : 0.25\n");
-  const std::string word = text_of(system, derived(system, 1));
+  const std::string word = text_of(system, word_of(system, 1));
   double statistic = 0.0;
   for (const auto& [letter, expected] :
        std::map<char, double>{{'B', 2000.0}, {'C', 5000.0}, {'D', 500.0}, {'E', 2500.0}}) {
@@ -259,10 +259,10 @@ TEST(DeriveLaw, ChoicesOfModulesAndStepsAreIndependent) {
   const LSystem system = parsed("axiom: " + std::string(1000, 'A') +
                                 "\nA -> B : 0.5\nA -> C : 0.5\nB -> A : 0.5\nB -> B : 0.5\n"
                                 "C -> A : 0.5\nC -> C : 0.5\n");
-  const std::string first = text_of(system, derived(system, 1));
+  const std::string first = text_of(system, word_of(system, 1));
   const auto bs = std::count(first.begin(), first.end(), 'B');
   EXPECT_NEAR(static_cast<double>(bs), 500.0, 66.0);  // four standard deviations
-  const std::string second = text_of(system, derived(system, 2));
+  const std::string second = text_of(system, word_of(system, 2));
   int changed_b = 0;
   for (std::size_t i = 0; i < first.size(); ++i)
     changed_b += first[i] == 'B' && second[i] == 'A' ? 1 : 0;
@@ -271,8 +271,8 @@ TEST(DeriveLaw, ChoicesOfModulesAndStepsAreIndependent) {
 
 TEST(DeriveLaw, TheSeedDecidesChoices) {
   const LSystem system = parsed("axiom: AAAAAAAAAAAAAAAA\nA -> B : 0.5\nA -> C : 0.5\n");
-  EXPECT_EQ(text_of(system, derived(system, 1, 1)), text_of(system, derived(system, 1, 1)));
-  EXPECT_NE(text_of(system, derived(system, 1, 1)), text_of(system, derived(system, 1, 2)));
+  EXPECT_EQ(text_of(system, word_of(system, 1, 1)), text_of(system, word_of(system, 1, 1)));
+  EXPECT_NE(text_of(system, word_of(system, 1, 1)), text_of(system, word_of(system, 1, 2)));
 }
 
 }  // namespace

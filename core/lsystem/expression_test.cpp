@@ -17,7 +17,7 @@ using Operation = Expression::Operation;
 
 const std::vector<std::string> names{"x", "y", "l"};
 
-Expression parsed(const std::string& text, const Constants& constants = {}) {
+Expression expression_of(const std::string& text, const Constants& constants = {}) {
   const SourceLine line{"test", text, {{0, 1}}};
   LineScanner scanner(line);
   int calls = 0;
@@ -29,12 +29,12 @@ Expression parsed(const std::string& text, const Constants& constants = {}) {
 
 double value(const std::string& text, double x = 0.0, double y = 0.0) {
   const double parameters[] = {x, y, 0.0};
-  return parsed(text).evaluate(parameters);
+  return expression_of(text).evaluate(parameters);
 }
 
 std::string error_of(const std::string& text) {
   try {
-    parsed(text);
+    expression_of(text);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -135,25 +135,25 @@ TEST(Expression, AsksTheRightSideOfAndAndOrOnlyWhereItDecides) {
 }
 
 TEST(Expression, FindsFormsThatNeedNoProgram) {
-  EXPECT_EQ(parsed("2 * 3 + 1").form(), Form::constant);
-  EXPECT_EQ(parsed("2 * 3 + 1").form_constant(), 7.0);
-  EXPECT_EQ(parsed("y").form(), Form::parameter);
-  EXPECT_EQ(parsed("y").form_parameter(), 1);
-  EXPECT_EQ(parsed("y + 2").form(), Form::sum);
-  EXPECT_EQ(parsed("y - 2").form_constant(), -2.0);
-  EXPECT_EQ(parsed("2 * y").form(), Form::product);
-  EXPECT_EQ(parsed("-y").form_constant(), -1.0);
-  EXPECT_EQ(parsed("l * lr", {{"lr", 1.3}}).form_constant(), 1.3);
-  EXPECT_EQ(parsed("y / 4").form_constant(), 0.25);
-  EXPECT_EQ(parsed("y / 3").form(), Form::general);
-  EXPECT_EQ(parsed("2 - y").form(), Form::general);
-  EXPECT_EQ(parsed("x + y").form(), Form::general);
+  EXPECT_EQ(expression_of("2 * 3 + 1").form(), Form::constant);
+  EXPECT_EQ(expression_of("2 * 3 + 1").form_constant(), 7.0);
+  EXPECT_EQ(expression_of("y").form(), Form::parameter);
+  EXPECT_EQ(expression_of("y").form_parameter(), 1);
+  EXPECT_EQ(expression_of("y + 2").form(), Form::sum);
+  EXPECT_EQ(expression_of("y - 2").form_constant(), -2.0);
+  EXPECT_EQ(expression_of("2 * y").form(), Form::product);
+  EXPECT_EQ(expression_of("-y").form_constant(), -1.0);
+  EXPECT_EQ(expression_of("l * lr", {{"lr", 1.3}}).form_constant(), 1.3);
+  EXPECT_EQ(expression_of("y / 4").form_constant(), 0.25);
+  EXPECT_EQ(expression_of("y / 3").form(), Form::general);
+  EXPECT_EQ(expression_of("2 - y").form(), Form::general);
+  EXPECT_EQ(expression_of("x + y").form(), Form::general);
 }
 
 TEST(ExpressionLaw, FormsGiveTheBitsOfTheProgram) {
   for (const char* text : {"y", "y + 0.1", "0.1 + y", "y - 0.1", "y * 0.1", "0.1 * y", "y / 8",
                            "y / -0.25", "-y", "0.1"}) {
-    const Expression expression = parsed(text);
+    const Expression expression = expression_of(text);
     ASSERT_NE(expression.form(), Form::general) << text;
     for (const double y : {0.0, 0.3, -7.1, 1e300, 5e-324}) {
       const double parameters[] = {99.0, y, 99.0};
@@ -168,18 +168,19 @@ TEST(ExpressionLaw, FormsGiveTheBitsOfTheProgram) {
 }
 
 TEST(Expression, CountsParametersAndRandomCalls) {
-  EXPECT_EQ(parsed("3").parameter_count(), 0u);
-  EXPECT_EQ(parsed("x + y").parameter_count(), 2u);
-  EXPECT_FALSE(parsed("x").uses_random());
-  EXPECT_TRUE(parsed("x + random()").uses_random());
+  EXPECT_EQ(expression_of("3").parameter_count(), 0u);
+  EXPECT_EQ(expression_of("x + y").parameter_count(), 2u);
+  EXPECT_FALSE(expression_of("x").uses_random());
+  EXPECT_TRUE(expression_of("x + random()").uses_random());
 }
 
 TEST(Expression, DrawsRandomNumbersByTheirPlace) {
   const ExpressionRandom place{.seed = 5, .stream = 3, .index = 512};
   const double parameters[] = {10.0, 20.0, 0.0};
-  EXPECT_EQ(parsed("random()").evaluate(parameters, place), random_unit(5, 3, 512));
-  EXPECT_EQ(parsed("0 * random() + random()").evaluate(parameters, place), random_unit(5, 3, 513));
-  EXPECT_EQ(parsed("random(x, y)").evaluate(parameters, place),
+  EXPECT_EQ(expression_of("random()").evaluate(parameters, place), random_unit(5, 3, 512));
+  EXPECT_EQ(expression_of("0 * random() + random()").evaluate(parameters, place),
+            random_unit(5, 3, 513));
+  EXPECT_EQ(expression_of("random(x, y)").evaluate(parameters, place),
             10.0 + 10.0 * random_unit(5, 3, 512));
 }
 
@@ -187,20 +188,20 @@ TEST(ExpressionLaw, RandomNumbersStayBelowTheirEnd) {
   const double high = std::nextafter(1.0, 2.0);
   const double parameters[] = {1.0, high, 0.0};
   for (std::uint64_t i = 0; i < 100; ++i)
-    EXPECT_EQ(parsed("random(x, y)").evaluate(parameters, {.index = i}), 1.0);
+    EXPECT_EQ(expression_of("random(x, y)").evaluate(parameters, {.index = i}), 1.0);
 }
 
 TEST(Expression, HidesAConstantBehindAParameterOfItsName) {
   const double parameters[] = {4.0, 0.0, 0.0};
-  EXPECT_EQ(parsed("x + n", {{"x", 100.0}, {"n", 1.0}}).evaluate(parameters), 5.0);
+  EXPECT_EQ(expression_of("x + n", {{"x", 100.0}, {"n", 1.0}}).evaluate(parameters), 5.0);
 }
 
 // [Liebemann2017] sec. 4.2.1: constants whose names are parts of others.
 TEST(Expression, ReadsWholeNames) {
   const Constants constants{{"a", 1.0}, {"ab", 20.0}, {"b", 300.0}, {"a_b", 4000.0}, {"r", 7.0}};
-  EXPECT_EQ(parsed("a + ab + b + a_b", constants).evaluate(nullptr), 4321.0);
+  EXPECT_EQ(expression_of("a + ab + b + a_b", constants).evaluate(nullptr), 4321.0);
   const double parameters[] = {0.0, 0.0, 50.0};
-  EXPECT_EQ(parsed("l * lr", {{"lr", 1.5}, {"r", 7.0}}).evaluate(parameters), 75.0);
+  EXPECT_EQ(expression_of("l * lr", {{"lr", 1.5}, {"r", 7.0}}).evaluate(parameters), 75.0);
 }
 
 TEST(Expression, SaysWhatIsWrongAndWhere) {
@@ -254,7 +255,7 @@ TEST(Expression, RefusesAbsurdNesting) {
 TEST(Expression, RefusesMoreRandomCallsThanAModuleHasNumbers) {
   std::string sum = "random()";
   for (int i = 1; i < most_random_calls; ++i) sum += "+random()";
-  EXPECT_TRUE(parsed(sum).uses_random());
+  EXPECT_TRUE(expression_of(sum).uses_random());
   expect_error(sum + "+random()", "more than 256 times");
 }
 
