@@ -73,6 +73,10 @@ must_run("phytobench list presets" output ${program} list presets)
 must_match("phytobench list presets" "${output}" "birch")
 must_run("phytobench_worker list" output ${clean} ${prefix}/bin/phytobench_worker list)
 must_match("phytobench_worker list" "${output}" "nearest-node/node_driven/dn")
+if(EXISTS ${BUILD}/modules/phytobench_gdal.so)
+  must_run("phytobench doctor" output ${program} doctor)
+  must_match("phytobench doctor" "${output}" "map_formats +GDAL 3")
+endif()
 
 # The library in a project of its own.
 file(COPY ${SOURCE}/examples/consumer DESTINATION ${folder})

@@ -39,6 +39,16 @@ phytobench_header_library(stb stb/stb_image_write.h)
 
 # Pictures of meshes. Where it is missing, asking for one says so.
 find_package(embree 3.13 QUIET)
+# Reads and writes maps in the formats that have no reader of our own.
+find_package(GDAL 3.6 QUIET)
+# Where the sun stands on a day. Comes without a CMake package.
+find_path(NOVA_INCLUDE_FOLDER libnova/solar.h)
+find_library(NOVA_LIBRARY nova)
+if(NOVA_INCLUDE_FOLDER AND NOVA_LIBRARY)
+  add_library(libnova INTERFACE)
+  target_include_directories(libnova SYSTEM INTERFACE ${NOVA_INCLUDE_FOLDER})
+  target_link_libraries(libnova INTERFACE ${NOVA_LIBRARY})
+endif()
 # Reads exported files back in tests, which are left out where it is missing.
 find_package(assimp 5.2 QUIET)
 # Reads the report's junit.xml back in a test.

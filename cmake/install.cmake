@@ -9,6 +9,10 @@ include(CMakePackageConfigHelpers)
 # The program looks for its data in ../share/phytobench, and for the worker and its description beside itself.
 install(TARGETS phytobench phytobench_worker RUNTIME DESTINATION bin COMPONENT program)
 install(FILES ${CMAKE_BINARY_DIR}/worker_build.json DESTINATION bin COMPONENT program)
+# The program opens it by its place, ../lib/phytobench, whatever the folder for libraries is called.
+if(TARGET phytobench_gdal)
+  install(TARGETS phytobench_gdal LIBRARY DESTINATION lib/phytobench COMPONENT program)
+endif()
 get_property(data_folders GLOBAL PROPERTY PHYTOBENCH_DATA_FOLDERS)
 install(DIRECTORY ${data_folders} reports/templates reports/studies
         DESTINATION share/phytobench COMPONENT program)
@@ -35,14 +39,14 @@ set(known_dependencies
   "nlohmann_json::nlohmann_json|use|nlohmann_json 3.11"
   "TBB::tbb|link|TBB 2021.8" "OpenSSL::Crypto|link|OpenSSL 3.0 COMPONENTS Crypto"
   "CGAL::CGAL|link|CGAL 5.5" "embree|link|embree 3.13"
-  "flann_headers|link|lz4" "nanoflann::nanoflann|headers|" "Boost::headers|headers|" "random123|headers|" "stb|headers|"
+  "flann_headers|link|lz4" "libnova|link|nova" "nanoflann::nanoflann|headers|" "Boost::headers|headers|" "random123|headers|" "stb|headers|"
   "build_information|headers|")
-# lz4 comes without a CMake package.
-set(find_lz4 [=[
-find_library(PHYTOBENCH_LZ4_LIBRARY lz4)
-if(NOT PHYTOBENCH_LZ4_LIBRARY)
+# Those two come without a CMake package.
+set(find_library_text [=[
+find_library(PHYTOBENCH_@NAME@_LIBRARY @name@)
+if(NOT PHYTOBENCH_@NAME@_LIBRARY)
   set(phytobench_FOUND FALSE)
-  set(phytobench_NOT_FOUND_MESSAGE "the library lz4 was not found")
+  set(phytobench_NOT_FOUND_MESSAGE "the library @name@ was not found")
   return()
 endif()
 ]=])
@@ -58,9 +62,12 @@ function(phytobench_installed_dependencies TARGET OUT_FIND OUT_LINK)
     list(FILTER known INCLUDE REGEX "^${library}\\|")
     if(known MATCHES "\\|headers\\|$")
       continue()
-    elseif(known MATCHES "\\|link\\|lz4$")
-      string(APPEND find "${find_lz4}")
-      list(APPEND link "$<LINK_ONLY:\${PHYTOBENCH_LZ4_LIBRARY}>")
+    elseif(known MATCHES "\\|link\\|(lz4|nova)$")
+      set(name ${CMAKE_MATCH_1})
+      string(TOUPPER ${name} NAME)
+      string(CONFIGURE "${find_library_text}" find_it @ONLY)
+      string(APPEND find "${find_it}")
+      list(APPEND link "$<LINK_ONLY:\${PHYTOBENCH_${NAME}_LIBRARY}>")
     elseif(known MATCHES "\\|link\\|(.+)$")
       string(APPEND find "find_dependency(${CMAKE_MATCH_1})\n")
       list(APPEND link "$<LINK_ONLY:${library}>")

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "reports/base64.hpp"
+#include "core/picture/base64.hpp"
 #include "reports/characters.hpp"
 #include "reports/document_anchors.hpp"
 #include "reports/natural_order.hpp"

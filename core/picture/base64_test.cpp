@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/base64.hpp"
+#include "core/picture/base64.hpp"
 
 #include <gtest/gtest.h>
 
