@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "core/terrain/pictures/map_svg.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/picture/base64.hpp"
+
+namespace phytobench {
+namespace {
+
+using testing::HasSubstr;
+
+MapLegend legend_of_water() {
+  return {.title = "Water & soil",
+          .unit = "l/m2 a day",
+          .bar = {&hydrology_palette(), {0.25, 1.75}},
+          .entries = {},
+          .width_m = 3200.0,
+          .depth_m = 1600.0};
+}
+
+TEST(MapSvg, SaysWhatItShows) {
+  const Image image(4, 3, {1, 2, 3, 255});
+  const std::string svg = map_svg(image, legend_of_water());
+  EXPECT_THAT(svg, HasSubstr(to_base64(to_png(image))));
+  EXPECT_THAT(svg, HasSubstr(">Water &amp; soil</text>"));
+  EXPECT_THAT(svg, HasSubstr(">l/m2 a day</text>"));
+  for (const char* number : {">0.25<", ">1<", ">1.75<", ">N<", ">1 km<"})
+    EXPECT_THAT(svg, HasSubstr(number));
+}
+
+TEST(MapSvg, HasTheProportionsOfTheGround) {
+  const std::string svg = map_svg(Image(2, 2), legend_of_water());
+  EXPECT_THAT(svg, HasSubstr("width=\"640.0\" height=\"320.0\" preserveAspectRatio=\"none\""));
+  // A quarter of the width is 800 m; the bar of 1 km is 200 pixels long.
+  EXPECT_THAT(svg, HasSubstr("v6h200.0v-6"));
+}
+
+TEST(MapSvg, ListsKinds) {
+  MapLegend legend = legend_of_water();
+  legend.bar.palette = nullptr;
+  legend.entries = {{{1.0, 0.0, 0.0}, "Dirt"}, {{0.0, 0.0, 1.0}, "Stone"}};
+  const std::string svg = map_svg(Image(1, 1), legend);
+  EXPECT_THAT(svg, HasSubstr("fill=\"#ff0000\""));
+  EXPECT_THAT(svg, HasSubstr(">Stone</text>"));
+  EXPECT_THAT(svg, testing::Not(HasSubstr("1.75")));
+}
+
+TEST(MapSvg, ScaleBarsAreRound) {
+  EXPECT_EQ(scale_bar_length(3200.0), 1000.0);
+  EXPECT_EQ(scale_bar_length(6100.0), 2000.0);
+  EXPECT_EQ(scale_bar_length(15.0), 5.0);
+  EXPECT_EQ(scale_bar_length(3.3), 1.0);
+}
+
+TEST(MapSvg, AMapOfOneLineIsSeen) {
+  MapLegend legend = legend_of_water();
+  legend.depth_m = 1.0;
+  EXPECT_THAT(map_svg(Image(5, 1), legend), HasSubstr("height=\"12.0\" preserveAspectRatio"));
+}
+
+}  // namespace
+}  // namespace phytobench
