@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Sec. 9.2.2: how the work of the printed march grows with the size of the image.
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "experiments/experiment.hpp"
+#include "experiments/lesser2019/oracle_maps.hpp"
+#include "experiments/lesser2019/site_scenes.hpp"
+#include "reference/oracles/lesser2019_march.hpp"
+
+namespace phytobench::experiments::lesser2019 {
+
+namespace {
+
+namespace oracle = oracles::lesser2019;
+
+/// One higher pixel in the corner away from the sun, which stands on the horizon: every ray goes to
+/// the border.
+void record_worst_case(ExperimentContext& context, int size) {
+  oracle::Heights map = oracle::flat(size, thesis_cell);
+  map.at(0, 0) = 1.0;
+  const oracle::PrintedMarch march(map);
+  std::int64_t iterations = 0;
+  for (int row = 0; row < size; ++row)
+    for (int column = 0; column < size; ++column)
+      iterations += march.from(column, row, {1.0, 0.0, 0.0}).iterations;
+  const std::string name = fmt::format("worst-case/{}/", size);
+  context.record(name + "size", std::int64_t{size}, "pixels");
+  context.record(name + "iterations", iterations);
+  const std::int64_t n = size;
+  context.record(name + "off-closed-form", iterations - (n * n * (n + 1) / 2 - n));
+}
+
+/// Part of one terrain, all with pixels of 16 m and the sun at least 15 degrees high: the length of
+/// shadows is the same in all.
+void record_part(ExperimentContext& context, const HeightField& whole_terrain, int size) {
+  const HeightField part = square_field(
+      size, thesis_cell, [&](int column, int row) { return whole_terrain.at(column, row); });
+  std::vector<SunDirection> suns = thesis_path();
+  suns = {suns.begin() + 1, suns.end() - 1};
+  const std::string name = fmt::format("part/{}/", size);
+  context.record(name + "size", std::int64_t{size}, "pixels");
+  const ShadowWork work = cast_by("printed_march", part, suns, context.untimed_threads()).work;
+  context.record(name + "rays", whole(work.rays), "rays");
+  context.record(name + "samples", whole(work.samples));
+}
+
+void run(ExperimentContext& context) {
+  const bool is_smoke = context.tier() == Tier::smoke;
+  std::vector<int> sizes = {16, 32, 64};
+  if (!is_smoke) sizes.push_back(128);
+  for (const int size : sizes) record_worst_case(context, size);
+  const int largest = is_smoke ? 256 : 2048;
+  // 20 m of relief: shadows of 5 pixels at most.
+  const HeightField terrain = fractal_field(largest, thesis_cell, 20.0, context.seed());
+  for (int size = 64; size <= largest; size *= 2) record_part(context, terrain, size);
+}
+
+}  // namespace
+
+extern const ExperimentDescriptor march_iterations;
+constinit const ExperimentDescriptor march_iterations{
+    .id = "lesser2019/march-iterations",
+    .question = "How does the work of the printed march grow with the size of the image?",
+    .source = "[Lesser2019] sec. 9.2.2",
+    .seconds = {0.1, 2.0, 2.0},
+    .run = run,
+};
+
+}  // namespace phytobench::experiments::lesser2019

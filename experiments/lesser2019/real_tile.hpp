@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/record/record.hpp"
+#include "core/terrain/files/height_file.hpp"
+#include "core/terrain/height_field.hpp"
+#include "core/terrain/made/resampled.hpp"
+#include "reference/data_folder.hpp"
+
+namespace phytobench::experiments::lesser2019 {
+
+/// Real land (reference/terrains/README.md): hills with cells that are not square. In smoke runs a
+/// part of 160 by 160 vertices.
+inline HeightField real_tile(Tier tier) {
+  const HeightField tile =
+      read_height_file(data_folder() / "terrains" / "jacksboro_srtm_3arcsec.asc", {}).field;
+  return tier == Tier::smoke
+             ? cropped(tile, {.first_column = 60, .first_row = 90, .columns = 160, .rows = 160})
+             : tile;
+}
+
+}  // namespace phytobench::experiments::lesser2019
