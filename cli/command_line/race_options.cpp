@@ -187,11 +187,12 @@ void add_race(CLI::App& app, Commands& commands) {
   add_hopkins_race(*sub, commands);
   add_competition_race(*sub, commands);
   add_lsystem_race(*sub, commands);
+  add_shadow_race(*sub, commands);
 }
 
 void refuse_unknown_race(int argc, char** argv) {
-  const std::vector<std::string> names = {"nearest-node", "overlap", "hopkins", "competition",
-                                          "lsystem"};
+  const std::vector<std::string> names = {"nearest-node", "overlap", "hopkins",
+                                          "competition",  "lsystem", "shadow"};
   if (argc < 2 || std::string(argv[1]) != "race") return;
   const std::string what = argc < 3 ? "" : argv[2];
   if (what == "--help" || what == "-h" ||
@@ -199,8 +200,8 @@ void refuse_unknown_race(int argc, char** argv) {
     return;
   throw InputError(
       "cannot race '" + what + "'" + did_you_mean(what, names) +
-      "; use phytobench race nearest-node, race overlap, race hopkins, race competition "
-      "or race lsystem");
+      "; use phytobench race nearest-node, race overlap, race hopkins, race competition, "
+      "race lsystem or race shadow");
 }
 
 }  // namespace phytobench::cli
