@@ -54,9 +54,9 @@ TEST_F(CommandLine, ExaminesTheMachine) {
 
 // list
 
-const Words kinds = {"papers",          "claims",  "experiments", "engines",
-                     "overlap-engines", "presets", "graphs",      "components",
-                     "lsystems",        "stands",  "rules"};
+const Words kinds = {"papers",  "claims",       "experiments",    "engines",  "overlap-engines",
+                     "presets", "graphs",       "components",     "lsystems", "stands",
+                     "sites",   "site-entries", "shadow-engines", "rules"};
 
 TEST_F(CommandLine, ListsEveryKindWithUniqueIdsAndSummaries) {
   for (const std::string& kind : kinds) {

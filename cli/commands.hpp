@@ -130,6 +130,22 @@ struct LSystemRaceOptions {
 };
 int race_lsystem(const LSystemRaceOptions& options);
 
+struct ShadowRaceOptions {
+  int size = 1024;  ///< vertices a side of a fractal
+  int hours = 13;
+  double relief = 800.0;            ///< m, of a fractal
+  double cell = 0.0;                ///< m; 0: 16 of a fractal, what a file says
+  std::string terrain = "fractal";  ///< or a file of heights
+  std::vector<std::string> engines{"all"};
+  std::vector<int> threads{1};
+  double budget = 120.0;
+  int rounds = 0;  ///< 0: as many as fit into a minute, at least 3
+  std::uint64_t seed = 0;
+  bool json = false;
+  std::string command_line;
+};
+int race_shadow(const ShadowRaceOptions& options);
+
 struct PlantBuildOptions : CameraOptions {
   std::string graph;                  ///< file of components
   std::string preset;                 ///< instead of a file
@@ -296,6 +312,22 @@ struct HistoryOptions {
   std::string command_line;
 };
 int history(const HistoryOptions& options);
+
+struct TerrainOptions {
+  std::string site;
+  std::string preset;                           ///< instead of a file
+  std::vector<std::string> species;             ///< empty: as the site file says
+  std::string out;                              ///< folder; empty: nothing is written
+  std::vector<std::string> maps{"png", "svg"};  ///< formats: these, tif, asc, csv
+  std::string plants;                           ///< "N" or "N/ha"; empty: none
+  std::uint64_t seed = 0;                       ///< of plants
+  std::string as_printed;                       ///< errata put back in, "all"; empty: none
+  std::string engine;                           ///< empty: as the site file says
+  int threads = 1;
+  bool example = false;
+  bool json = false;
+};
+int terrain(const TerrainOptions& options);
 
 struct DoctorOptions {
   bool json = false;

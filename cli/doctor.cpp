@@ -18,6 +18,8 @@
 #include "core/picture/render.hpp"
 #include "core/record/environment.hpp"
 #include "core/statistics/order_statistics.hpp"
+#include "core/terrain/files/gdal_raster.hpp"
+#include "core/terrain/sun/solar_position.hpp"
 #include "reference/data_folder.hpp"
 
 namespace phytobench::cli {
@@ -86,6 +88,8 @@ ordered_json examination() {
             ? "built" + (engine->library.empty() ? "" : ", " + std::string(engine->library))
             : "not built: " + std::string(engine->missing_package) + " is missing";
   json["pictures"] = renderer_name();
+  json["map_formats"] = map_reader_name();
+  json["solar_position"] = can_place_the_sun() ? "built, libnova" : "not built: libnova is missing";
   for (const Tool& tool : tools)
     json["tools"][tool.program] =
         is_on_path(tool.program) ? "found" : fmt::format("missing (needed for {})", tool.purpose);

@@ -13,10 +13,12 @@
 #include "core/contract/suggestion.hpp"
 #include "core/nearest_node/engine_registry.hpp"
 #include "core/overlap/overlap_registry.hpp"
+#include "core/terrain/shadow/shadow_registry.hpp"
 #include "experiments/experiment_registry.hpp"
 #include "reference/graph_presets.hpp"
 #include "reference/lsystem_presets.hpp"
 #include "reference/papers.hpp"
+#include "reference/site_presets.hpp"
 #include "reference/stand_presets.hpp"
 #include "reference/tree_presets.hpp"
 #include "reports/claim_list.hpp"
@@ -118,6 +120,26 @@ ordered_json stands() {
   return preset_rows(stand_presets());
 }
 
+ordered_json sites() {
+  return preset_rows(site_presets());
+}
+
+ordered_json site_entries() {
+  return preset_rows(site_entry_files());
+}
+
+ordered_json shadow_engines() {
+  ordered_json rows = ordered_json::array();
+  for (const ShadowEngineDescriptor* engine : all_shadow_engines())
+    rows.push_back({{"id", engine->name},
+                    {"source", engine->source},
+                    {"built", engine->built()},
+                    {"missing_package", engine->missing_package},
+                    {"exact", engine->exact},
+                    {"summary", engine->summary}});
+  return rows;
+}
+
 ordered_json rules() {
   ordered_json rows = ordered_json::array();
   for (const CompetitionRuleDescriptor* rule : all_competition_rules())
@@ -145,6 +167,9 @@ constexpr Kind kinds[] = {{"papers", papers},
                           {"components", component_rows},
                           {"lsystems", lsystems},
                           {"stands", stands},
+                          {"sites", sites},
+                          {"site-entries", site_entries},
+                          {"shadow-engines", shadow_engines},
                           {"rules", rules}};
 
 std::string plain(const ordered_json& rows) {

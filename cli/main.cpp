@@ -65,8 +65,9 @@ int run_command_line(int argc, char** argv) {
   commands.run.command_line = commands.nearest_node_race.command_line =
       commands.overlap_race.command_line = commands.hopkins_race.command_line =
           commands.competition_race.command_line = commands.lsystem_race.command_line =
-              commands.compare.command_line = commands.selftest.command_line =
-                  commands.history.command_line = joined(argc, argv);
+              commands.shadow_race.command_line = commands.compare.command_line =
+                  commands.selftest.command_line = commands.history.command_line =
+                      joined(argc, argv);
   add_list(app, commands);
   add_run(app, commands);
   add_report(app, commands);
@@ -77,6 +78,7 @@ int run_command_line(int argc, char** argv) {
   add_overlap(app, commands);
   add_pattern(app, commands);
   add_compete(app, commands);
+  add_terrain(app, commands);
   add_doctor(app, commands);
   add_bench(app, commands);
   add_compare(app, commands);

@@ -39,7 +39,7 @@ std::vector<ReadmeCommand> readme_commands() {
 bool is_quick(const ReadmeCommand& command) {
   const std::string& what = command.words.front();
   return what == "grow" || what == "list" || what == "build" || what == "derive" ||
-         what == "compete" || what == "doctor";
+         what == "compete" || what == "terrain" || what == "doctor";
 }
 
 bool needs_rendering(const ReadmeCommand& command) {

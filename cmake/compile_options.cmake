@@ -60,6 +60,10 @@ function(phytobench_in_batches TARGET)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${batch})
   endforeach()
   set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # A local name may be that of a constant in another file.
+    target_compile_options(${TARGET} PRIVATE -Wno-shadow -Wshadow=local)
+  endif()
 endfunction()
 # Whether work is counted stands in a header, not on every command line: what does not include it need not be compiled
 # again for the preset `counters` where ccache knows it.

@@ -25,11 +25,13 @@ struct Commands {
   HopkinsRaceOptions hopkins_race;
   CompetitionRaceOptions competition_race;
   LSystemRaceOptions lsystem_race;
+  ShadowRaceOptions shadow_race;
   PlantBuildOptions build;
   LSystemDeriveOptions derive;
   OverlapOptions overlap;
   PatternOptions pattern;
   CompeteOptions compete;
+  TerrainOptions terrain;
   DoctorOptions doctor;
   CompareOptions compare;
   SelftestOptions selftest;
@@ -51,6 +53,7 @@ void add_derive(CLI::App& app, Commands& commands);
 void add_overlap(CLI::App& app, Commands& commands);
 void add_pattern(CLI::App& app, Commands& commands);
 void add_compete(CLI::App& app, Commands& commands);
+void add_terrain(CLI::App& app, Commands& commands);
 void add_doctor(CLI::App& app, Commands& commands);
 void add_bench(CLI::App& app, Commands& commands);
 void add_compare(CLI::App& app, Commands& commands);
@@ -69,6 +72,9 @@ void add_files(CLI::App& sub, std::vector<std::string>& files, const std::string
 
 /// What to call when `sub` was chosen: `chosen`, or a refusal if there is more than --example.
 std::function<int()> unless_example_has_company(const CLI::App& sub, std::function<int()> chosen);
+
+/// One of add_race().
+void add_shadow_race(CLI::App& race, Commands& commands);
 
 /// The library would only say that some race is required. Throws InputError.
 void refuse_unknown_race(int argc, char** argv);

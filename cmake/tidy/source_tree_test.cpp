@@ -238,6 +238,7 @@ TEST(RegistrationTidy, EveryEngineAndExperimentHasOneLineAndOneFile) {
         List{"core/overlap/overlap_engines.def", "core/overlap/engines/"},
         List{"core/competition/competition_rules.def", "core/competition/rules/"},
         List{"core/lsystem/derivation_engines.def", "core/lsystem/engines/"},
+        List{"core/terrain/shadow/shadow_engines.def", "core/terrain/shadow/engines/"},
         List{"core/component_graph/components.def", "core/component_graph/components/"},
         List{"core/component_graph/extra_components/extra_components.def",
              "core/component_graph/extra_components/"},
@@ -245,7 +246,9 @@ TEST(RegistrationTidy, EveryEngineAndExperimentHasOneLineAndOneFile) {
         List{"benchmarks/regression/families.def", "benchmarks/regression/families/"},
         List{"benchmarks/faulty_engines/faulty_engines.def", "benchmarks/faulty_engines/"},
         List{"benchmarks/faulty_overlap_engines/faulty_overlap_engines.def",
-             "benchmarks/faulty_overlap_engines/"}}) {
+             "benchmarks/faulty_overlap_engines/"},
+        List{"benchmarks/faulty_shadow_engines/faulty_shadow_engines.def",
+             "benchmarks/faulty_shadow_engines/"}}) {
     std::set<std::string> files;
     for (const File& file :
          tracked_files(std::regex(std::string("^") + list.folder + R"([a-z0-9_]+\.cpp$)")))

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+// phytobench terrain: chances as computed by hand, maps, plants that compete takes over, refusals.
+#include "cli/command_line_fixture.hpp"
+#include "core/picture/image.hpp"
+
+namespace phytobench {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr const char* terrain_schema = "phytobench/terrain-1";
+
+/// Rows of different heights, so that there are both soils; no data in one corner.
+constexpr const char* small_site = R"(
+grow = ["Appletree", "Moss"]
+[heights]
+file = "heights.csv"
+cell_width = 20.0
+[ground]
+posterise = ["Dirt", "Stone"]
+[climate]
+biome = "TemperateZone"
+[sun]
+max_elevation = 60.0
+)";
+
+class TerrainCommand : public CommandLine {
+ protected:
+  void SetUp() override {
+    std::string heights;
+    for (int row = 0; row < 12; ++row)
+      for (int column = 0; column < 16; ++column)
+        heights += (row == 0 && column == 0 ? "nan" : std::to_string(3 * row + column % 4)) +
+                   (column == 15 ? "\n" : ",");
+    write("heights.csv", heights);
+    write("site.toml", small_site);
+  }
+
+  json terrain(const Words& more) const {
+    Words words{"terrain"};
+    words.insert(words.end(), more.begin(), more.end());
+    words.emplace_back("--json");
+    return json_of(words, terrain_schema);
+  }
+
+  /// Of the level plain in the polar zone.
+  double apple_chance(const std::string& as_printed) const {
+    Words words{"--preset", "worked-example"};
+    if (!as_printed.empty()) words.insert(words.end(), {"--as-printed", as_printed});
+    const json site = terrain(words);
+    EXPECT_EQ(site["species"][0]["name"], "Appletree");
+    // In the middle; as printed, the border gets less light from its neighbours.
+    return site["species"][0]["chance"]["most"].get<double>();
+  }
+};
+
+TEST_F(TerrainCommand, HasTheChancesComputedByHand) {
+  EXPECT_NEAR(apple_chance(""), 0.184437, 5e-7);
+  EXPECT_NEAR(apple_chance("all"), 0.45045, 5e-7);
+  // Whatever else is printed: the corrected evaporation leaves no water.
+  EXPECT_EQ(apple_chance("no-cosine,reflect-absorbed"), 0.0);
+}
+
+TEST_F(TerrainCommand, AddsUpAreas) {
+  const json site = terrain({"site.toml"});
+  EXPECT_EQ(site["ground"]["columns"], 16);
+  EXPECT_EQ(site["ground"]["cells_with_data"], 191);
+  EXPECT_EQ(site["hours"], 13);
+  EXPECT_EQ(site["biome_source"], "assumed");
+  ASSERT_EQ(site["species"].size(), 2u);
+  for (const json& species : site["species"]) {
+    EXPECT_EQ(species["with_data_m2"], 191 * 400.0);
+    const json& areas = species["suitable"];
+    EXPECT_GT(areas[0]["m2"], 0.0) << species;
+    EXPECT_GE(areas[0]["m2"], areas[1]["m2"]);
+    EXPECT_GE(areas[1]["m2"], areas[2]["m2"]);
+    double limited = 0.0;
+    for (const json& area : species["limited_by_m2"]) limited += area.get<double>();
+    EXPECT_LE(limited, 191 * 400.0);
+    // The other's soil keeps it from the other half.
+    EXPECT_GT(species["limited_by_m2"]["soil"], 0.0);
+  }
+  EXPECT_LE(site["lit_hours"]["most"], 13.0);
+  EXPECT_EQ(site["files"].size(), 0u);
+}
+
+TEST_F(TerrainCommand, SaysTheSameInWords) {
+  const std::string text = output_of({"terrain", "site.toml"});
+  EXPECT_THAT(text,
+              StartsWith("site.toml: 16 by 12 cells of 20 m by 20 m, 0 to 36 m high (CSV)\n"));
+  for (const char* part : {"no data in 0.521 % of the cells", "biome TemperateZone (assumed)",
+                           "13 hours of sun", "Appletree", "Moss: [Lesser2019] fig. 10.2"})
+    EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST_F(TerrainCommand, WritesMapsInEveryFormat) {
+  const json site = terrain({"site.toml", "--out", "maps", "--maps", "png,svg,asc,csv"});
+  for (const json& file : site["files"])
+    EXPECT_TRUE(exists(std::filesystem::path("maps") / file.get<std::string>())) << file;
+  for (const char* map : {"heights", "soil", "lit-hours", "insolation", "normals", "slope",
+                          "soil-depth", "water", "chance-Appletree", "chance-Moss"}) {
+    SCOPED_TRACE(map);
+    const Image image = parse_png(read("maps/" + std::string(map) + ".png"), map);
+    EXPECT_EQ(image.width(), 16);
+    EXPECT_EQ(image.height(), 12);
+    EXPECT_EQ(image.at(0, 0)[3], 0);  // without data
+    EXPECT_EQ(image.at(5, 5)[3], 255);
+    EXPECT_THAT(read("maps/" + std::string(map) + ".svg"), HasSubstr(">N</text>"));
+  }
+  EXPECT_THAT(read("maps/water.svg"), HasSubstr(">l/m2 a day</text>"));
+  EXPECT_THAT(read("maps/soil.svg"), HasSubstr(">Stone</text>"));
+  EXPECT_THAT(read("maps/water.asc"), HasSubstr("ncols"));
+  EXPECT_EQ(line_count(read("maps/chance-Moss.csv")), 12);
+  // The summary is the document, which names it, too.
+  EXPECT_EQ(json::parse(read("maps/summary.json")), site);
+}
+
+TEST_F(TerrainCommand, WritesTheSameBytesForAnyThreads) {
+  const auto files = [&](const std::string& folder, const char* threads) {
+    const json site = terrain({"--preset", "worked-example", "--out", folder, "--threads", threads,
+                               "--plants", "50", "--seed", "3"});
+    std::string bytes;
+    for (const json& file : site["files"])
+      bytes += read(std::filesystem::path(folder) / file.get<std::string>());
+    return bytes;
+  };
+  EXPECT_EQ(files("one", "1"), files("two", "3"));
+}
+
+TEST_F(TerrainCommand, EnginesThatAreExactAgree) {
+  const std::string usual = output_of({"terrain", "--preset", "fractal"});
+  for (const char* engine : {"exact_traversal", "max_pyramid"}) {
+    std::string other = output_of({"terrain", "--preset", "fractal", "--engine", engine});
+    const std::size_t at = other.find(engine);
+    ASSERT_NE(at, std::string::npos);
+    other.replace(at, std::string(engine).size(), "bounded_sweep");
+    EXPECT_EQ(other, usual);
+  }
+}
+
+TEST_F(TerrainCommand, CompeteTakesItsPlantsOver) {
+  const json site =
+      terrain({"site.toml", "--out", "site", "--maps", "none", "--plants", "200", "--seed", "7"});
+  EXPECT_EQ(site["seed"], 7);
+  std::uint64_t plants = 0;
+  for (const json& species : site["species"]) plants += species["plants"].get<std::uint64_t>();
+  EXPECT_EQ(plants, 200u);
+  EXPECT_EQ(line_count(read("site/plants.csv")), 201);
+  const json stand =
+      json_of({"compete", "site/stand.toml", "--steps", "2", "--json"}, "phytobench/compete-1");
+  std::uint64_t start = 0;
+  for (const json& species : stand["species"]) start += species["start"].get<std::uint64_t>();
+  EXPECT_EQ(start, 200u);
+  EXPECT_EQ(stand["ground"]["size"], (json{320.0, 240.0}));
+  EXPECT_EQ(site["files"].size(), 3u);
+}
+
+TEST_F(TerrainCommand, MapsOfOneRowAndMostlyWithoutDataWork) {
+  write("heights.csv", "5\n");
+  EXPECT_EQ(terrain({"site.toml"})["ground"]["rows"], 1);
+  std::string wide = "1";
+  for (int column = 1; column < 500; ++column) wide += column == 250 ? ",3" : ",nan";
+  write("heights.csv", wide + "\n");
+  const json site = terrain({"site.toml", "--out", "wide"});
+  EXPECT_EQ(site["ground"]["cells_with_data"], 2);
+  EXPECT_EQ(parse_png(read("wide/water.png"), "").width(), 500);
+}
+
+TEST_F(TerrainCommand, PlantsThatNeedNothingGrow) {
+  write("weed.toml", std::string(small_site) +
+                         "[[species]]\nname = \"Weed\"\nenergy_demand = 0\nwater_demand = 0\n"
+                         "soil = \"\"\nsoil_depth = 0\n");
+  const json weed = terrain({"weed.toml", "--species", "Weed"})["species"][0];
+  EXPECT_EQ(weed["chance"]["least"], 1.0);
+  EXPECT_EQ(weed["suitable"][2]["m2"], weed["with_data_m2"]);
+}
+
+TEST_F(TerrainCommand, TheExampleCanBeUsed) {
+  write("example.toml", output_of({"terrain", "--example"}));
+  EXPECT_GE(terrain({"example.toml"})["species"].size(), 6u);
+}
+
+TEST_F(TerrainCommand, RefusesWrongOptions) {
+  expect_refused_line("terrain", "phytobench list sites");
+  expect_refused_line("terrain site.toml --preset fractal", "not both");
+  expect_refused_line("terrain --preset fractals", "did you mean 'fractal'?");
+  expect_refused_line("terrain none.toml", "none.toml");
+  expect_refused_line("terrain site.toml --species Appeltree", "did you mean 'Appletree'?");
+  expect_refused_line("terrain site.toml --out x --maps jpg", "--maps jpg: unknown format");
+  expect_refused_line("terrain site.toml --plants 10", "--plants needs --out");
+  for (const char* plants : {"x", "0", "-5", "nan", "1e9", "10/km", "/ha"})
+    expect_refused_line(std::string("terrain site.toml --out x --plants=") + plants, "--plants");
+  expect_refused_line("terrain site.toml --engine bounded", "bounded_sweep");
+  expect_refused_line("terrain site.toml --as-printed E99", "E99");
+  expect_refused_line("terrain site.toml --as-printed E08 --engine max_pyramid", "E08");
+  expect_refused_line("terrain site.toml --threads 0", "--threads");
+  expect_refused({"terrain", "site.toml", "--out", "heights.csv"}, 3, "heights.csv");
+  EXPECT_EQ(left_behind(), (std::set<std::string>{"heights.csv", "site.toml"}));
+}
+
+struct BadSite {
+  const char* from;
+  const char* to;
+  const char* message;
+};
+
+TEST_F(TerrainCommand, NamesFileAndLineOfBadData) {
+  const BadSite all[] = {
+      {"max_elevation = 60.0", "max_elevation = nan", "wrong.toml:11"},
+      {"cell_width = 20.0", "cell_width = 0", "wrong.toml:5"},
+      {"cell_width = 20.0", "cell_width = 0.01\nconversion = 10", "units seem to be mixed"},
+      {"cell_width = 20.0", "", "wrong.toml:4: heights.file"},
+      {"file = \"heights.csv\"", "file = \"none.csv\"", "wrong.toml:4: heights.file"},
+      {"posterise = [\"Dirt\", \"Stone\"]", "file = \"heights.csv\"", "no [[soil]] with this id"},
+      {"posterise = [\"Dirt\", \"Stone\"]", "soil = \"Drit\"", "did you mean 'Dirt'?"},
+      {"biome = \"TemperateZone\"", "biome = \"Mars\"", "there is no biome 'Mars'"},
+      {"max_elevation = 60.0",
+       "[[biome]]\nname = \"B\"\nabsorption = 60\ndiffusion = 20\nclouds = 30\nrain = "
+       "1\ngroundwater = 1\n",
+       "wrong.toml:11: biome 'B'"},
+      {"max_elevation = 60.0", "kind = \"solar\"\nlatitude = 80\nlongitude = 0\ndate = 5",
+       "wrong.toml:14: sun.date must be a date"}};
+  for (const BadSite& bad : all) {
+    std::string text = small_site;
+    text.replace(text.find(bad.from), std::string(bad.from).size(), bad.to);
+    write("wrong.toml", text);
+    expect_refused_line("terrain wrong.toml --out maps", bad.message);
+  }
+  EXPECT_FALSE(exists("maps"));
+}
+
+TEST_F(TerrainCommand, NeverOverwritesWhatItReads) {
+  write("maps/heights.csv", "1,2\n3,4\n");
+  write("maps/site.toml", small_site);
+  expect_refused_line("terrain maps/site.toml --out maps --maps csv", "would overwrite");
+  EXPECT_EQ(read("maps/heights.csv"), "1,2\n3,4\n");
+  EXPECT_FALSE(exists("maps/water.csv"));
+}
+
+TEST_F(TerrainCommand, AFullDiskLeavesNothing) {
+  const SmallFilesOnly limit(2000);
+  const Outcome outcome = run_line("terrain site.toml --out maps --maps svg");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(line_count(outcome.err), 1) << outcome.err;
+  EXPECT_FALSE(exists("maps/heights.svg"));
+  EXPECT_FALSE(exists("maps/summary.json"));
+}
+
+TEST_F(TerrainCommand, CanBeInterrupted) {
+  write("large.toml",
+        "heights.made = \"fractal\"\nheights.columns = 3000\nheights.rows = 3000\n"
+        "ground.soil = \"Dirt\"\nclimate.biome = \"PolarZone\"\n"
+        "model.engine = \"exact_traversal\"\n");
+  const Outcome outcome =
+      run_and_interrupt({"terrain", "large.toml", "--out", "maps", "--maps", "png"}, 300);
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_FALSE(exists("maps/summary.json"));
+}
+
+}  // namespace
+}  // namespace phytobench

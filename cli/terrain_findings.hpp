@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What `phytobench terrain` finds out about a site, and how it is shown: as text and as a document
+// of phytobench/terrain-1.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "core/terrain/site.hpp"
+
+namespace phytobench::cli {
+
+/// Chances from which on ground counts as suitable; 0 is any.
+inline constexpr std::array<double, 3> suitable_from{0.0, 0.25, 0.5};
+
+/// What the least of the factors can be, in the order of ChanceMaps.
+inline constexpr std::array<const char*, 4> factor_names{"light", "water", "depth", "soil"};
+
+struct MapRange {
+  double mean = 0.0;
+  double least = 0.0;
+  double most = 0.0;
+  std::size_t cells = 0;  ///< with a number; none: the others are NaN
+};
+
+/// Of the numbers that there are.
+MapRange range_of(const TerrainMap& map);
+
+struct SpeciesFindings {
+  std::string name;
+  std::string source;
+  MapRange chance;
+  std::array<double, suitable_from.size()> suitable_m2{};
+  double with_data_m2 = 0.0;
+  /// m2 where this factor alone, or before the ones behind it, is the least and below 1.
+  std::array<double, factor_names.size()> limited_m2{};
+  std::uint64_t plants = 0;  ///< that were placed
+};
+
+struct TerrainFindings {
+  std::size_t hours = 0;
+  std::string engine;
+  std::string as_printed;  ///< errata; empty: none
+  std::string biome_source;
+  MapRange height, slope, lit_hours, raw_energy, energy, soil_depth, water;
+  std::vector<SpeciesFindings> species;
+  std::vector<std::string> files;
+};
+
+SpeciesFindings species_findings(const HeightField& heights, const SiteEntry<SitePlant>& species,
+                                 const ChanceMaps& maps);
+
+std::string terrain_text(const Site& site, const TerrainFindings& findings,
+                         const TerrainOptions& options);
+std::string terrain_json(const Site& site, const TerrainFindings& findings,
+                         const TerrainOptions& options);
+
+}  // namespace phytobench::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Plants placed by their chances to grow, with what `compete` needs to take over.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "core/contract/text_file.hpp"
+#include "core/terrain/plant_sampling.hpp"
+#include "core/terrain/site.hpp"
+
+namespace phytobench::cli {
+
+/// --plants and --seed. Throws InputError.
+PlantSampling plant_sampling_from(const TerrainOptions& options);
+
+struct PlacedPlants {
+  std::vector<std::uint64_t> counts;  ///< of each species
+  std::vector<FileContent> files;     ///< plants.csv, and stand.toml that begins with it
+};
+
+/// `chances` are those of site.species, in this order.
+PlacedPlants placed_plants(const Site& site, const std::vector<TerrainMap>& chances,
+                           const PlantSampling& sampling);
+
+}  // namespace phytobench::cli
