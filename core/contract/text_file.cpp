@@ -65,9 +65,9 @@ void make_folder(const fs::path& folder) {
 namespace {
 
 /// A file under a temporary name beside its own, which goes away unless it is renamed.
-class TemporaryFile {
+class FileToRename {
  public:
-  TemporaryFile(const fs::path& file, std::string_view content) : file_(file), temporary_(file) {
+  FileToRename(const fs::path& file, std::string_view content) : file_(file), temporary_(file) {
     make_folder(file.parent_path());
     temporary_ += ".part" + std::to_string(::getpid());
     const std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(temporary_.c_str(), "wb"));
@@ -80,15 +80,15 @@ class TemporaryFile {
     discard();
     fail_writing(file, reason);
   }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  TemporaryFile(TemporaryFile&& other) noexcept { *this = std::move(other); }
-  TemporaryFile& operator=(TemporaryFile&& other) noexcept {
+  FileToRename(const FileToRename&) = delete;
+  FileToRename& operator=(const FileToRename&) = delete;
+  FileToRename(FileToRename&& other) noexcept { *this = std::move(other); }
+  FileToRename& operator=(FileToRename&& other) noexcept {
     std::swap(file_, other.file_);
     std::swap(temporary_, other.temporary_);
     return *this;
   }
-  ~TemporaryFile() { discard(); }
+  ~FileToRename() { discard(); }
 
   void rename() {
     std::error_code error;
@@ -111,13 +111,13 @@ class TemporaryFile {
 }  // namespace
 
 void write_file_atomically(const fs::path& file, std::string_view content) {
-  TemporaryFile(file, content).rename();
+  FileToRename(file, content).rename();
 }
 
 void write_files_atomically(const std::vector<FileContent>& files) {
-  std::vector<TemporaryFile> written;
+  std::vector<FileToRename> written;
   for (const FileContent& file : files) written.emplace_back(file.file, file.content);
-  for (TemporaryFile& file : written) file.rename();
+  for (FileToRename& file : written) file.rename();
 }
 
 }  // namespace phytobench
