@@ -111,7 +111,8 @@ void record_flanks(ExperimentContext& context, double slope) {
                            .soil = "Dirt",
                            .soil_depth = centimetres(20.0)};
     const ChanceMaps chances = chance_maps(site.input, site.maps, fir, *site.model, site.options);
-    context.record(name + "fir-north-minus-south", north_minus_south(chances.chance));
+    // Its other needs are not printed: light alone.
+    context.record(name + "fir-north-minus-south", north_minus_south(chances.light));
     const Site hot = site_of(heights, subtropical, 80.0, form.switches);
     const auto more = [&](const TerrainMap& a, const TerrainMap& b) {
       return mean(a, north_first, south_last) - mean(b, north_first, south_last);
