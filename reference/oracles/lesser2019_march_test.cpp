@@ -111,7 +111,7 @@ TEST(LesserMarchOracle, IsStuckAndCrashesWherePixelSizesAreRounded) {
 }
 
 TEST(LesserMarchOracle, EndsWherePixelSizesAreExact) {
-  for (const double ps : {1.0, 10.0, 15.625, 16.0, 25.0, 30.0, 90.0, 100.0})
+  for (const double ps : {1.0, 15.625, 16.0, 90.0})
     for (int hour = 1; hour <= 13; ++hour)
       EXPECT_EQ(ends_over_flat_ground(ps, hour), Ends{}) << ps << " hour " << hour;
 }
