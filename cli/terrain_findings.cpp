@@ -33,8 +33,8 @@ SpeciesFindings species_findings(const HeightField& heights, const SiteEntry<Sit
     findings.with_data_m2 = area.with_data;
   }
   const double cell = heights.cell_width() * heights.cell_depth();
-  const std::array<const TerrainMap*, factor_names.size()> factors{&maps.light, &maps.water,
-                                                                   &maps.depth, &maps.soil};
+  const std::array<const TerrainMap*, factor_names.size()> factors{&maps.soil, &maps.light,
+                                                                   &maps.water, &maps.depth};
   for (std::size_t i = 0; i < maps.chance.values.size(); ++i) {
     const double least = maps.chance.values[i];
     if (!(least < 1.0)) continue;

@@ -16,8 +16,8 @@ namespace phytobench::cli {
 /// Chances from which on ground counts as suitable; 0 is any.
 inline constexpr std::array<double, 3> suitable_from{0.0, 0.25, 0.5};
 
-/// What the least of the factors can be, in the order of ChanceMaps.
-inline constexpr std::array<const char*, 4> factor_names{"light", "water", "depth", "soil"};
+/// What the least of the factors can be. Where the soil is wrong, no other matters.
+inline constexpr std::array<const char*, 4> factor_names{"soil", "light", "water", "depth"};
 
 struct MapRange {
   double mean = 0.0;
@@ -35,7 +35,7 @@ struct SpeciesFindings {
   MapRange chance;
   std::array<double, suitable_from.size()> suitable_m2{};
   double with_data_m2 = 0.0;
-  /// m2 where this factor alone, or before the ones behind it, is the least and below 1.
+  /// m2 where this factor is the least and below 1, and none before it is as small.
   std::array<double, factor_names.size()> limited_m2{};
   std::uint64_t plants = 0;  ///< that were placed
 };

@@ -177,9 +177,7 @@ TEST_F(SiteFile, EveryWrongValueIsRefusedWithItsPlace) {
       {"heights.conversion = 0.1", "heights.conversion is for heights.file; leave it out"},
       {"heights.seed = 1", "is for heights.made = \"fractal\" or \"diamond-square\""},
       {"heights.relief = 1", "is for heights.made"},
-      {"heights.file = \"a.png\"", "heights.file and heights.made set the same"},
       {"ground.file = \"a.png\"", "ground.soil and ground.file set the same"},
-      {"ground.posterise = [\"Earth\"]", "set the same"},
       {"sun.hours = 0", "is not allowed"},
       {"sun.max_elevation = 91", "is not allowed"},
       {"sun.even_hours = \"flat\"", "must be one of \"plateau\", \"tent\""},
@@ -203,6 +201,13 @@ TEST_F(SiteFile, EveryWrongValueIsRefusedWithItsPlace) {
     EXPECT_THAT(message, HasSubstr(one.message)) << one.text;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }
+}
+
+TEST_F(SiteFile, TwoWaysToSayTheSameAreRefused) {
+  EXPECT_EQ(refusal(whole_site + "heights.file = \"a.png\""),
+            "s.toml:1: heights.file and heights.made set the same; give one of them");
+  EXPECT_EQ(refusal(whole_site + "ground.posterise = [\"Earth\"]"),
+            "s.toml:2: ground.posterise and ground.soil set the same; give one of them");
 }
 
 TEST_F(SiteFile, WhatIsMissingIsNamed) {
