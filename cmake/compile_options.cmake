@@ -91,5 +91,7 @@ function(phytobench_layer NAME)
   target_include_directories(${NAME} PUBLIC ${PROJECT_SOURCE_DIR})
   if(PHYTOBENCH_SANITIZERS)
     phytobench_in_batches(${NAME})
+    # In a batch every file but the first looks like a header to the compiler.
+    target_compile_options(${NAME} PRIVATE -Wno-subobject-linkage)
   endif()
 endfunction()
