@@ -63,7 +63,7 @@ TEST_F(BenchInstructions, FilesThatAreNotWhatTheyShouldBeAreRefused) {
   expect_refused(with({"--history", "folder"}), 2, "folder: is a folder");
   expect_refused(with({"--history", "folder/file"}), 2, "folder/file: is no SQLite file");
   expect_refused(with({"--junit", "folder"}), 2, "folder: is a folder");
-  expect_refused(with({"--markdown", "folder/file/x.md"}), 3, "cannot make the folder folder/file");
+  expect_refused(with({"--markdown", "folder/file/x.md"}), 3, "folder/file is no folder");
   EXPECT_EQ(left_behind(), (std::set<std::string>{"folder"}));
 }
 

@@ -13,11 +13,11 @@ class RaceShadowCommand : public CommandLine {};
 
 TEST_F(RaceShadowCommand, GivesOneVerifiedDocument) {
   const Outcome outcome =
-      run_line("race shadow --size 90 --hours 5 --relief 300 --rounds 3 --json");
+      run_line("race shadow --size 90 --hours 7 --relief 900 --rounds 3 --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const json document = json::parse(outcome.out);
   EXPECT_EQ(document["schema"], "phytobench/race-1");
-  EXPECT_EQ(document["workload"]["vertex_hours"], 5 * 90 * 90);
+  EXPECT_EQ(document["workload"]["vertex_hours"], 7 * 90 * 90);
   EXPECT_GT(document["workload"]["lit"], 0);
   EXPECT_EQ(document["workload"]["judge"], "exact traversal of every ray");
   ASSERT_EQ(document["engines"].size(), 7u);

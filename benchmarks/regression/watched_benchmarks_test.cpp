@@ -58,7 +58,7 @@ TEST(WatchedBenchmarks, ComeFromAllFamilies) {
     EXPECT_GT(size, 0u) << family->name;
     sum += size;
   }
-  EXPECT_EQ(families.size(), 7u);
+  EXPECT_EQ(families.size(), 8u);
   EXPECT_EQ(watched_benchmarks().size(), sum);
 }
 
