@@ -25,7 +25,7 @@ std::string lower(std::string_view text) {
 }
 
 std::optional<PlaceKind> kind_named(const std::string& word) {
-  constexpr std::array<std::pair<std::string_view, PlaceKind>, 17> names = {
+  constexpr std::array<std::pair<std::string_view, PlaceKind>, 18> names = {
       {{"eq", PlaceKind::equation},
        {"eqs", PlaceKind::equation},
        {"equation", PlaceKind::equation},
@@ -42,7 +42,8 @@ std::optional<PlaceKind> kind_named(const std::string& word) {
        {"ch", PlaceKind::section},
        {"chapter", PlaceKind::section},
        {"chapters", PlaceKind::section},
-       {"listing", PlaceKind::listing}}};
+       {"listing", PlaceKind::listing},
+       {"listings", PlaceKind::listing}}};
   const auto found =
       std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == word; });
   return found == names.end() ? std::nullopt : std::optional(found->second);

@@ -38,7 +38,7 @@ ShadowRaceResult raced_shadows(const FractalShadows& terrain,
 TEST(ShadowRace, TimesWhatIsRightOrKnownToApproximateAndRefusesWhatIsWrong) {
   for (const FractalShadows& terrain :
        {FractalShadows{.size = 100, .relief = 200.0, .seed = 1},
-        FractalShadows{.size = 65, .relief = 400.0, .hours = 5, .seed = 2}}) {
+        FractalShadows{.size = 65, .relief = 400.0, .hours = 7, .seed = 2}}) {
     const ShadowRaceResult result = raced_shadows(terrain, every_shadow_engine());
     std::size_t refused = 0;
     for (const ShadowEntry& entry : result.entries) {
