@@ -73,6 +73,14 @@ void record_maps(ExperimentContext& context) {
   context.record("water-and-chance/farthest-off", other_off);
 }
 
+/// Listing 9.8 takes the number of rows for that of columns: of an image with more columns the rest
+/// is not loaded.
+void record_oblong(ExperimentContext& context) {
+  constexpr std::int64_t rows = 3, columns = 5, size = rows;
+  context.record("oblong/pixels", rows * columns, "pixels");
+  context.record("oblong/loaded", size * size, "pixels");
+}
+
 /// Listing 9.10.
 std::string file_name(const HourlyPath& path) {
   return fmt::format("Map/Map_{}daylight_hours_insolation_image.png", path.hours);
@@ -119,6 +127,7 @@ void run(ExperimentContext& context) {
   record_decimals(context);
   record_codes(context);
   record_maps(context);
+  record_oblong(context);
   record_reuse(context);
 }
 

@@ -116,6 +116,7 @@ void record_dependencies(ExperimentContext& context, const std::string& form,
   context.record(form + "/orography-with-sun", depends("orography", "sun"));
   context.record(form + "/insolation-with-heights", depends("insolation", "heights"));
   context.record(form + "/insolation-with-deepest-soil", depends("insolation", "deepest-soil"));
+  context.record(form + "/insolation-with-the-soils-albedo", depends("insolation", "albedo"));
   context.record(form + "/hydrology-with-sun", depends("hydrology", "sun"));
   context.record(form + "/hydrology-with-deepest-soil", depends("hydrology", "deepest-soil"));
 }

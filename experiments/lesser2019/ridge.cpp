@@ -104,15 +104,12 @@ void record_flanks(ExperimentContext& context, double slope) {
     context.record(name + "energy-north-minus-south", north_minus_south(site.maps.energy),
                    "kcal/m2");
     context.record(name + "water-north-minus-south", north_minus_south(site.maps.water), "l/m2");
-    // Assumed but for its energy, sec. 10.4: a fir.
-    const PlantSpecies fir{.name = "Fir",
-                           .energy_demand = DailyEnergy(2200.0),
-                           .water_demand = DailyWater(0.0),
-                           .soil = "Dirt",
-                           .soil_depth = centimetres(20.0)};
+    // Of a fir only the energy is printed, which decides here.
+    const PlantSpecies fir{
+        .name = "Fir",
+        .energy_demand = DailyEnergy(thesis_entry("species", "Fir").number("energy_kcal_per_day"))};
     const ChanceMaps chances = chance_maps(site.input, site.maps, fir, *site.model, site.options);
-    // Its other needs are not printed: light alone.
-    context.record(name + "fir-north-minus-south", north_minus_south(chances.light));
+    context.record(name + "fir-light-north-minus-south", north_minus_south(chances.light));
     const Site hot = site_of(heights, subtropical, 80.0, form.switches);
     const auto more = [&](const TerrainMap& a, const TerrainMap& b) {
       return mean(a, north_first, south_last) - mean(b, north_first, south_last);
