@@ -51,7 +51,7 @@ void run(ExperimentContext& context) {
   std::vector<int> sizes = {16, 32, 64};
   if (!is_smoke) sizes.push_back(128);
   for (const int size : sizes) record_worst_case(context, size);
-  const int largest = is_smoke ? 256 : 2048;
+  const int largest = is_smoke ? 512 : 2048;
   // 20 m of relief: shadows of 5 pixels at most.
   const HeightField terrain = fractal_field(largest, thesis_cell, 20.0, context.seed());
   for (int size = 64; size <= largest; size *= 2) record_part(context, terrain, size);
@@ -64,7 +64,7 @@ constinit const ExperimentDescriptor march_iterations{
     .id = "lesser2019/march-iterations",
     .question = "How does the work of the printed march grow with the size of the image?",
     .source = "[Lesser2019] sec. 9.2.2",
-    .seconds = {0.1, 2.0, 2.0},
+    .seconds = {0.3, 3.0, 3.0},
     .run = run,
 };
 

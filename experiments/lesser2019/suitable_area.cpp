@@ -101,7 +101,7 @@ class Areas {
   double at(std::size_t plant, std::size_t threshold) const {
     return km2_[plant * thresholds.size() + threshold];
   }
-  /// The largest change of any species' area at any threshold, and how many change.
+  /// How many of the areas are others.
   std::int64_t changed_from(const Areas& other) const {
     std::int64_t count = 0;
     for (std::size_t i = 0; i < km2_.size(); ++i) count += km2_[i] != other.km2_[i];
@@ -138,7 +138,7 @@ void record_biome(ExperimentContext& context, const HeightField& tile, const Nam
 }
 
 void run(ExperimentContext& context) {
-  const HeightField tile = real_tile(context.tier());
+  const HeightField tile = real_tile_on_squares(context.tier());
   context.record("land",
                  static_cast<double>(tile.size()) * tile.cell_width() * tile.cell_depth() / 1e6,
                  "km2");
@@ -153,7 +153,7 @@ constinit const ExperimentDescriptor suitable_area{
     .id = "lesser2019/suitable-area",
     .question = "How much land suits each species, and what does each erratum change in that?",
     .source = "[Lesser2019] sec. 10.4",
-    .seconds = {2.0, 15.0, 15.0},
+    .seconds = {2.0, 25.0, 25.0},
     .run = run,
 };
 

@@ -61,10 +61,12 @@ inline void record_differences(ExperimentContext& context, const std::string& na
   context.record(name + "/lit", whole(exact.lit()), "pixel-hours");
   for (const std::string_view engine : engines_that_approximate) {
     context.progress(fmt::format("{}, {}", name, engine));
-    const LitMaps found = cast_by(engine, field, suns, threads).lit;
+    const Cast cast = cast_by(engine, field, suns, threads);
+    const LitMaps& found = cast.lit;
     const std::string start = fmt::format("{}/{}/", name, engine);
     const std::uint64_t wrong = differing_bits(exact, found);
     context.record(start + "wrong", whole(wrong), "pixel-hours");
+    context.record(start + "rays-given-up", whole(cast.work.stuck), "rays");
     context.record(start + "wrong-share", static_cast<double>(wrong) / pixel_hours);
     // Wrongly lit less wrongly dark is what is lit more.
     const auto more = static_cast<double>(found.lit()) - static_cast<double>(exact.lit());
