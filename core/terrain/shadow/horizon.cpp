@@ -58,8 +58,8 @@ class HorizonLines {
   HorizonLines(const HeightField& field, const Heading& heading, const HorizonOptions& options)
       : field_(field),
         rows_(field, {heading.east, heading.south, 0.0}),
-        horizontal_(std::hypot(heading.east, heading.south)),
-        heading_(heading),
+        along_column_(field.cell_width() * heading.east / std::hypot(heading.east, heading.south)),
+        along_row_(field.cell_depth() * heading.south / std::hypot(heading.east, heading.south)),
         earth_radius_(options.earth_radius) {}
 
   std::vector<double> tangents() {
@@ -86,37 +86,36 @@ class HorizonLines {
       const std::ptrdiff_t column = line + to_column;
       const LinePoint met = point(static_cast<double>(column) - aside, swept);
       if (!hull.is_empty()) {
-        see(hull, met, column, swept, result);
-        if (aside > 0.0) see(hull, met, column - 1, swept, result);
+        see(hull, met, column, swept, true, result);
+        if (aside > 0.0) see(hull, met, column - 1, swept, false, result);
       }
       if (!std::isnan(met.height)) hull.add(met);
     }
   }
 
   /// What the line shows a vertex beside it: where it rises most steeply from where it passes the
-  /// vertex, the vertex' own ray is looked at, and so is the nearest row.
+  /// vertex, the vertex' own ray is looked at; and in the nearest row, which one of two lines does.
   void see(const LineHull& hull, const LinePoint& met, std::ptrdiff_t column, int swept,
-           std::vector<double>& result) const {
+           bool looks_near, std::vector<double>& result) const {
     if (column < 0 || column >= field_.columns()) return;
     const LinePoint vertex = point(static_cast<double>(column), swept);
     double& seen = result[field_.index(static_cast<int>(column), rows_.place(swept))];
-    const LinePoint& steepest = hull.steepest_from(std::isnan(met.height) ? vertex : met);
-    for (const int row : {steepest.swept, swept - 1}) {
-      const double at = static_cast<double>(column) + rows_.lag(swept) - rows_.lag(row);
-      // A curved Earth has been made flat by the drop from the origin; the horizon turns by its
-      // arc.
-      const double rise = slope(vertex, point(at, row)) + vertex.along / earth_radius_;
+    const auto look_at = [&](int passed) {
+      const double at = static_cast<double>(column) + rows_.lag(swept) - rows_.lag(passed);
+      // A curved Earth was made flat by the drop from the origin; the horizon turns by its arc.
+      const double rise = slope(vertex, point(at, passed)) + vertex.along / earth_radius_;
       if (rise > seen) seen = rise;
-    }
+    };
+    const LinePoint& steepest = hull.steepest_from(std::isnan(met.height) ? vertex : met);
+    look_at(steepest.swept);
+    if (looks_near && steepest.swept != swept - 1) look_at(swept - 1);
     if (std::isnan(vertex.height)) seen = vertex.height;
   }
   /// The surface in the row that comes after `swept` others. Without a height where that is not on
   /// the map, or beside a vertex without data.
   LinePoint point(double column, int swept) const {
     const int row = rows_.place(swept);
-    const double along = (column * field_.cell_width() * heading_.east +
-                          row * field_.cell_depth() * heading_.south) /
-                         horizontal_;
+    const double along = column * along_column_ + row * along_row_;
     return {along, height(column, row) - along * along / (2.0 * earth_radius_), swept};
   }
   double height(double column, int row) const {
@@ -131,8 +130,8 @@ class HorizonLines {
 
   const HeightField& field_;
   SweepRows rows_;
-  double horizontal_;
-  Heading heading_;
+  double along_column_;  ///< m towards the heading from one column to the next
+  double along_row_;
   double earth_radius_;
   std::array<LineHull, at_once> hulls_;
 };
