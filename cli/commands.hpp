@@ -133,7 +133,7 @@ int race_lsystem(const LSystemRaceOptions& options);
 struct ShadowRaceOptions {
   int size = 1024;  ///< vertices a side of a fractal
   int hours = 13;
-  double relief = 800.0;            ///< m, of a fractal
+  double relief = 2000.0;           ///< m, of a fractal
   double cell = 0.0;                ///< m; 0: 16 of a fractal, what a file says
   std::string terrain = "fractal";  ///< or a file of heights
   std::vector<std::string> engines{"all"};

@@ -20,9 +20,9 @@ struct ShadowWorkload {
 };
 
 struct FractalShadows {
-  int size = 1024;        ///< vertices a side
-  double relief = 800.0;  ///< m
-  double cell = 16.0;     ///< m a side; that of the thesis' maps
+  int size = 1024;         ///< vertices a side
+  double relief = 2000.0;  ///< m
+  double cell = 16.0;      ///< m a side; that of the thesis' maps
   int hours = 13;
   std::uint64_t seed = 0;
 };
