@@ -15,8 +15,8 @@ namespace phytobench::families {
 
 namespace {
 
-/// Of rays, at most: half as much again as sheared_sweep (0.00068) and line_sweep (0.0079) get wrong
-/// on this terrain.
+/// Of rays, at most: half as much again as sheared_sweep (0.00068) and line_sweep (0.0079) get
+/// wrong on this terrain.
 double wrong_share_of(const ShadowEngineDescriptor& engine) {
   if (engine.exact) return 0.0;
   return engine.name == "sheared_sweep" ? 0.00102 : 0.0119;
