@@ -205,6 +205,23 @@ TEST(ShadowEnginesOracle, ZenithLightsAllAndNightNothing) {
   }
 }
 
+/// Two walls as high as each other, and a post that is higher, so that rays look at both.
+TEST(ShadowEnginesOracle, WhatIsAsHighAsARayDoesNotBlockIt) {
+  HeightField field = made(70, 30, 16.0, 16.0, 0, [](int column, int, double) {
+    return column == 20 || column == 40 ? 10.0 : 0.0;
+  });
+  field.at(60, 29) = 50.0;
+  for (const ShadowEngineDescriptor* engine : all_shadow_engines()) {
+    if (!engine->built()) continue;
+    const LitMaps lit = lit_by(engine->name, field, {{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}});
+    for (const int wall : {20, 40})
+      for (const std::size_t sun : {0u, 1u})
+        EXPECT_TRUE(lit.is_lit(sun, wall, 5)) << engine->name << ", wall " << wall;
+    EXPECT_FALSE(lit.is_lit(0, 30, 5)) << engine->name;
+    EXPECT_FALSE(lit.is_lit(0, 20, 29)) << engine->name;
+  }
+}
+
 /// A map and what it took, of every terrain.
 struct Cast {
   ShadowWork work;

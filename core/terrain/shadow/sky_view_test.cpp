@@ -69,6 +69,17 @@ TEST(SkyViewOracle, PlanesSeeAsMuchAsTheyAreLevel) {
     }
 }
 
+/// Where the ground does not hide the sky, the receiver's own back does.
+TEST(SkyViewOracle, ATiltedReceiverOnFlatGroundIsItsOwnHorizon) {
+  const HeightField field(5, 5, 1.0, 1.0);
+  for (const double slope : {20.0, 70.0}) {
+    const double rise = std::tan(slope * one_degree);
+    const std::vector<SurfaceGradient> gradients(field.size(), {0.6 * rise, -0.8 * rise});
+    EXPECT_NEAR(in_middle(field, tilted_sky_view_factors(field, gradients, {.azimuths = 256})),
+                (1.0 + std::cos(slope * one_degree)) / 2.0, 1e-4);
+  }
+}
+
 /// cos s for a horizontal receiver on the line of a V-valley, cos^2 s for one on its flank.
 TEST(SkyViewOracle, ValleysLeaveTheCosineOfTheirSlopes) {
   for (const double slope : {30.0, 60.0}) {
