@@ -43,8 +43,9 @@ function(phytobench_in_batches TARGET)
   list(SORT sources)
   foreach(source IN LISTS sources)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
-    # Headers that are included several times over, with other meanings of their macros.
-    file(STRINGS ${source} alone REGEX "foreach_target\\.h|_IMPLEMENTATION" LIMIT_COUNT 1)
+    # Headers that are included several times over, with other meanings of their macros; registries that a test compiles
+    # again with a longer list (in a batch, the linker would bring in both).
+    file(STRINGS ${source} alone REGEX "foreach_target\\.h|_IMPLEMENTATION|#ifndef PHYTOBENCH_" LIMIT_COUNT 1)
     if(alone)
       set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
       continue()
