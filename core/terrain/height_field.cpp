@@ -2,16 +2,34 @@
 #include "core/terrain/height_field.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/contract/check.hpp"
 
 namespace phytobench {
 
-HeightField::HeightField(int columns, int rows, double cell_width, double cell_depth, double height)
-    : columns_(columns), rows_(rows), cell_width_(cell_width), cell_depth_(cell_depth) {
+namespace {
+
+std::size_t vertex_count(int columns, int rows) {
   PHYTOBENCH_EXPECT(columns > 0 && rows > 0);
+  return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+}
+
+}  // namespace
+
+HeightField::HeightField(int columns, int rows, double cell_width, double cell_depth, double height)
+    : HeightField(columns, rows, cell_width, cell_depth,
+                  std::vector<double>(vertex_count(columns, rows), height)) {}
+
+HeightField::HeightField(int columns, int rows, double cell_width, double cell_depth,
+                         std::vector<double> heights)
+    : columns_(columns),
+      rows_(rows),
+      cell_width_(cell_width),
+      cell_depth_(cell_depth),
+      heights_(std::move(heights)) {
+  PHYTOBENCH_EXPECT(heights_.size() == vertex_count(columns, rows));
   PHYTOBENCH_EXPECT(cell_width > 0.0 && cell_depth > 0.0);
-  heights_.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), height);
 }
 
 HeightRange height_range(const HeightField& field) {

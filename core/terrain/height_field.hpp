@@ -17,6 +17,9 @@ class HeightField {
   HeightField() = default;
   /// At least one column and row; cells larger than 0.
   HeightField(int columns, int rows, double cell_width, double cell_depth, double height = 0.0);
+  /// Of these heights, row by row: as many as vertices.
+  HeightField(int columns, int rows, double cell_width, double cell_depth,
+              std::vector<double> heights);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }

@@ -24,7 +24,14 @@ TEST(HeightField, CountsRowByRow) {
   EXPECT_EQ(field.cell_depth(), 20.0);
 }
 
+TEST(HeightField, TakesHeightsRowByRow) {
+  const HeightField field(2, 2, 10.0, 20.0, {1.0, 2.0, 3.0, 4.0});
+  EXPECT_EQ(field.at(1, 0), 2.0);
+  EXPECT_EQ(field.at(0, 1), 3.0);
+}
+
 TEST(HeightField, RefusesWhatIsNoMap) {
+  EXPECT_THROW(HeightField(2, 2, 1.0, 1.0, {1.0, 2.0, 3.0}), ContractViolation);
   EXPECT_THROW(HeightField(0, 1, 1.0, 1.0), ContractViolation);
   EXPECT_THROW(HeightField(1, -1, 1.0, 1.0), ContractViolation);
   EXPECT_THROW(HeightField(1, 1, 0.0, 1.0), ContractViolation);

@@ -73,16 +73,15 @@ HeightFile read_height_file(const std::filesystem::path& file, const HeightFileO
     throw InputError(name + ": holds numbers of colours, not heights; give a map of heights");
   check_height_unit(raster, options.height_conversion, name);
   const CellSize cell = cell_size(raster, options, name);
-  HeightField field(raster.columns, raster.rows, cell.width, cell.depth);
-  const std::span<double> heights = field.heights();
   bool has_any = false;
-  for (std::size_t i = 0; i < heights.size(); ++i) {
-    heights[i] =
-        height_in_metres(raster.values[i], options.height_conversion, name, i, raster.columns);
-    has_any = has_any || !std::isnan(heights[i]);
+  for (std::size_t i = 0; i < raster.values.size(); ++i) {
+    double& value = raster.values[i];
+    value = height_in_metres(value, options.height_conversion, name, i, raster.columns);
+    has_any = has_any || !std::isnan(value);
   }
   if (!has_any)
     throw InputError(name + ": no vertex has data; is the mark for no data the right one?");
+  HeightField field(raster.columns, raster.rows, cell.width, cell.depth, std::move(raster.values));
   return {std::move(field), std::move(raster.place), std::move(raster.format)};
 }
 
