@@ -73,9 +73,6 @@ void add_files(CLI::App& sub, std::vector<std::string>& files, const std::string
 /// What to call when `sub` was chosen: `chosen`, or a refusal if there is more than --example.
 std::function<int()> unless_example_has_company(const CLI::App& sub, std::function<int()> chosen);
 
-/// One of add_race().
-void add_shadow_race(CLI::App& race, Commands& commands);
-
 /// The library would only say that some race is required. Throws InputError.
 void refuse_unknown_race(int argc, char** argv);
 

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command_line/command_line.hpp"
+#include "cli/command_line/race_option_kinds.hpp"
 #include "core/contract/errors.hpp"
 #include "core/contract/suggestion.hpp"
 
@@ -22,30 +23,17 @@ void add_nearest_node_race(CLI::App& race, Commands& commands) {
   sub->add_option("--iterations", options.iterations, "Iterations; 0: as the size asks for")
       ->capture_default_str()
       ->check(CLI::Range(0, 1000000));
-  sub->add_option("--engines", options.engines, "all, or names; comma-separated")
-      ->delimiter(',')
-      ->capture_default_str();
-  sub->add_option("--options", options.options, "Loop options S, D, N, DN; comma-separated")
-      ->delimiter(',')
-      ->capture_default_str();
-  sub->add_option("--threads", options.threads,
-                  "Threads of engines and growth; several are raced against each other")
-      ->delimiter(',')
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1024));
+  add_names(*sub, "--engines", options.engines, "all, or names; comma-separated");
+  add_names(*sub, "--options", options.options, "Loop options S, D, N, DN; comma-separated");
+  add_thread_counts(*sub, options.threads,
+                    "Threads of engines and growth; several are raced against each other");
   sub->add_option("--density", options.density, "Points per unit volume; 0: that of the test tree")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1e9));
-  sub->add_option("--budget", options.budget,
-                  "Seconds for one growth; what is predicted to take longer is skipped")
-      ->capture_default_str()
-      ->check(CLI::Range(1e-6, 1e6));
-  sub->add_option("--rounds", options.rounds, "Timed rounds; 0: what fits into a minute, 3 to 25")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 1000));
-  sub->add_option("--seed", options.seed, "Of the cloud and the order of timing")
-      ->capture_default_str()
-      ->check(whole_number);
+  add_budget(*sub, options.budget,
+             "Seconds for one growth; what is predicted to take longer is skipped");
+  add_rounds_or_none(*sub, options.rounds);
+  add_seed(*sub, options.seed, "Of the cloud and the order of timing");
   sub->add_option("--cloud", options.cloud, "CSV file with your own points: columns x, y, z");
   sub->add_option("--plugin", options.plugins,
                   "Engines from outside: shared libraries (phytobench_engine.h); comma-separated")
@@ -54,7 +42,7 @@ void add_nearest_node_race(CLI::App& race, Commands& commands) {
                   "Seconds that a single call of a plugin may take")
       ->capture_default_str()
       ->check(CLI::Range(0.01, 1e6));
-  sub->add_flag("--json", options.json, "One JSON document");
+  add_json(*sub, options.json);
   sub->callback(
       [&] { commands.chosen = [&] { return race_nearest_node(commands.nearest_node_race); }; });
 }
@@ -72,27 +60,16 @@ void add_overlap_race(CLI::App& race, Commands& commands) {
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1e4));
   sub->add_flag("--torus", options.torus, "Join opposite sides of the ground");
-  sub->add_option("--engines", options.engines, "all, or names; comma-separated")
-      ->delimiter(',')
-      ->capture_default_str();
-  sub->add_option("--threads", options.threads,
-                  "Threads of engines that use them; several are raced against each other")
-      ->delimiter(',')
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1024));
-  sub->add_option("--budget", options.budget,
-                  "Seconds for one search; what is predicted to take longer is skipped")
-      ->capture_default_str()
-      ->check(CLI::Range(1e-6, 1e6));
-  sub->add_option("--rounds", options.rounds, "Timed rounds; 0: what fits into a minute, 3 to 25")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 1000));
-  sub->add_option("--seed", options.seed, "Of the discs and the order of timing")
-      ->capture_default_str()
-      ->check(whole_number);
+  add_names(*sub, "--engines", options.engines, "all, or names; comma-separated");
+  add_thread_counts(*sub, options.threads,
+                    "Threads of engines that use them; several are raced against each other");
+  add_budget(*sub, options.budget,
+             "Seconds for one search; what is predicted to take longer is skipped");
+  add_rounds_or_none(*sub, options.rounds);
+  add_seed(*sub, options.seed, "Of the discs and the order of timing");
   sub->add_option("--discs", options.discs, "CSV file with your own discs: columns x, y, r");
   sub->add_option("--window", options.window, "x0,y0,x1,y1 of the torus on which these lie");
-  sub->add_flag("--json", options.json, "One JSON document");
+  add_json(*sub, options.json);
   sub->callback([&] { commands.chosen = [&] { return race_overlap(commands.overlap_race); }; });
 }
 
@@ -106,13 +83,9 @@ void add_hopkins_race(CLI::App& race, Commands& commands) {
   sub->add_option("--threads", options.threads, "Also with so many")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));
-  sub->add_option("--rounds", options.rounds, "Timed rounds")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  sub->add_option("--seed", options.seed, "Of points, places and the order of timing")
-      ->capture_default_str()
-      ->check(whole_number);
-  sub->add_flag("--json", options.json, "One JSON document");
+  add_rounds(*sub, options.rounds);
+  add_seed(*sub, options.seed, "Of points, places and the order of timing");
+  add_json(*sub, options.json);
   sub->callback([&] { commands.chosen = [&] { return race_hopkins(commands.hopkins_race); }; });
 }
 
@@ -126,20 +99,11 @@ void add_competition_race(CLI::App& race, Commands& commands) {
   sub->add_option("--pairs", options.pairs, "Overlapping pairs of root zones for each plant")
       ->capture_default_str()
       ->check(CLI::Range(0.01, 100.0));
-  sub->add_option("--rules", options.rules, "all, or names; comma-separated")
-      ->delimiter(',')
-      ->capture_default_str();
-  sub->add_option("--threads", options.threads, "Several are raced against each other")
-      ->delimiter(',')
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1024));
-  sub->add_option("--rounds", options.rounds, "Timed rounds")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  sub->add_option("--seed", options.seed, "Of the plants and the order of timing")
-      ->capture_default_str()
-      ->check(whole_number);
-  sub->add_flag("--json", options.json, "One JSON document");
+  add_names(*sub, "--rules", options.rules, "all, or names; comma-separated");
+  add_thread_counts(*sub, options.threads, "Several are raced against each other");
+  add_rounds(*sub, options.rounds);
+  add_seed(*sub, options.seed, "Of the plants and the order of timing");
+  add_json(*sub, options.json);
   sub->callback(
       [&] { commands.chosen = [&] { return race_competition(commands.competition_race); }; });
 }
@@ -147,14 +111,10 @@ void add_competition_race(CLI::App& race, Commands& commands) {
 void add_lsystem_race(CLI::App& race, Commands& commands) {
   LSystemRaceOptions& options = commands.lsystem_race;
   CLI::App* sub = race.add_subcommand("lsystem", "Engines that derive and draw L-systems");
-  sub->add_option("--systems", options.systems,
-                  "all, names, or files of systems without parameters; comma-separated; published: "
-                  "those that others have timed, as they did with --segments 2e8")
-      ->delimiter(',')
-      ->capture_default_str();
-  sub->add_option("--engines", options.engines, "all, or names; comma-separated")
-      ->delimiter(',')
-      ->capture_default_str();
+  add_names(*sub, "--systems", options.systems,
+            "all, names, or files of systems without parameters; comma-separated; published: "
+            "those that others have timed, as they did with --segments 2e8");
+  add_names(*sub, "--engines", options.engines, "all, or names; comma-separated");
   sub->add_option("--segments", options.segments, "Most segments of a drawing; sets derivations")
       ->capture_default_str()
       ->check(CLI::Range(1.0, 2e9));
@@ -162,19 +122,41 @@ void add_lsystem_race(CLI::App& race, Commands& commands) {
                   "Most modules of words that are only derived; 0: no such table")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1e9));
-  sub->add_option("--threads", options.threads,
-                  "Threads of engines that use them; several are raced against each other")
-      ->delimiter(',')
+  add_thread_counts(*sub, options.threads,
+                    "Threads of engines that use them; several are raced against each other");
+  add_rounds(*sub, options.rounds);
+  add_seed(*sub, options.seed, "Of the order of timing");
+  add_json(*sub, options.json);
+  sub->callback([&] { commands.chosen = [&] { return race_lsystem(commands.lsystem_race); }; });
+}
+
+void add_shadow_race(CLI::App& race, Commands& commands) {
+  ShadowRaceOptions& options = commands.shadow_race;
+  CLI::App* sub = race.add_subcommand("shadow", "Engines that find what the sun reaches");
+  sub->add_option("--size", options.size, "Vertices a side of a fractal")
       ->capture_default_str()
-      ->check(CLI::Range(1, 1024));
-  sub->add_option("--rounds", options.rounds, "Timed rounds")
+      ->check(CLI::Range(2, 16384));
+  sub->add_option("--hours", options.hours, "Of the thesis' day, from horizon over zenith")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
-  sub->add_option("--seed", options.seed, "Of the order of timing")
+  sub->add_option("--relief", options.relief, "m from the lowest to the highest of a fractal")
       ->capture_default_str()
-      ->check(whole_number);
-  sub->add_flag("--json", options.json, "One JSON document");
-  sub->callback([&] { commands.chosen = [&] { return race_lsystem(commands.lsystem_race); }; });
+      ->check(CLI::Range(0.0, 1e6));
+  sub->add_option("--cell", options.cell, "m between vertices; 0: 16, or what a file says")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e6));
+  sub->add_option("--terrain", options.terrain, "fractal, or a file of heights")
+      ->capture_default_str();
+  add_names(*sub, "--engines", options.engines,
+            "all, or names; comma-separated. On more than 512 x 512 vertices all leaves out "
+            "printed_march, which takes too long; name it to have it");
+  add_thread_counts(*sub, options.threads, "Several are raced against each other");
+  add_budget(*sub, options.budget,
+             "Seconds for all hours once; what is predicted to take longer is skipped");
+  add_rounds_or_none(*sub, options.rounds);
+  add_seed(*sub, options.seed, "Of the fractal and the order of timing");
+  add_json(*sub, options.json);
+  sub->callback([&] { commands.chosen = [&] { return race_shadow(commands.shadow_race); }; });
 }
 
 }  // namespace
