@@ -131,14 +131,15 @@ class TerrainRun {
     begin_stage("heights and soils");
     site_ = load_site(description_, options.species);
     site_.options.threads = options.threads;
-    site_.options.suns = sun_directions(description_, *model_.model);
+    set_sun(site_.options, description_, *model_.model);
     folder_ = TerrainFolder(options.out);  // when all that is read is known to be right
   }
 
   void run() {
-    ShadowsByTheHour shadows(std::move(model_.shadows), [](std::size_t hour, std::size_t hours) {
-      begin_stage(fmt::format("shadows, hour {} of {}", hour + 1, hours));
-    });
+    ShadowsByTheHour shadows(
+        std::move(model_.shadows), [](std::size_t position, std::size_t positions) {
+          begin_stage(fmt::format("shadows, sun {} of {}", position + 1, positions));
+        });
     maps_ = site_maps(site_.input, site_.options, *model_.model, shadows, begin_stage);
     describe_site();
     if (writes())
@@ -168,14 +169,15 @@ class TerrainRun {
 
   void describe_site() {
     const HeightField& heights = site_.input.heights;
-    findings_.hours = site_.options.suns.size();
+    findings_.sun_positions = site_.options.suns.size();
+    findings_.hours = site_.options.hours_each * static_cast<double>(findings_.sun_positions);
     findings_.engine = model_.engine;
     findings_.as_printed = model_.as_printed;
     findings_.biome_source = biome_named(description_, description_.biome).source;
     findings_.height = range_of(
         {heights.columns(), heights.rows(), {heights.heights().begin(), heights.heights().end()}});
     findings_.slope = range_of(maps_.slope);
-    findings_.lit_hours = range_of(lit_hours_map(heights, maps_.lit));
+    findings_.lit_hours = range_of(lit_hours_map(site_, maps_.lit));
     findings_.raw_energy = range_of(maps_.raw_energy);
     findings_.energy = range_of(maps_.energy);
     findings_.soil_depth = range_of(in_centimetres(maps_.soil_depth));

@@ -68,6 +68,7 @@ TEST_F(TerrainCommand, AddsUpAreas) {
   EXPECT_EQ(site["ground"]["columns"], 16);
   EXPECT_EQ(site["ground"]["cells_with_data"], 191);
   EXPECT_EQ(site["hours"], 13);
+  EXPECT_EQ(site["sun_positions"], 13);
   EXPECT_EQ(site["biome_source"], "assumed");
   ASSERT_EQ(site["species"].size(), 2u);
   for (const json& species : site["species"]) {

@@ -41,7 +41,8 @@ struct SpeciesFindings {
 };
 
 struct TerrainFindings {
-  std::size_t hours = 0;
+  double hours = 0.0;  ///< from sunrise to sunset
+  std::size_t sun_positions = 0;
   std::string engine;
   std::string as_printed;  ///< errata; empty: none
   std::string biome_source;

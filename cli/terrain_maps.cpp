@@ -91,11 +91,11 @@ Image sheet_picture(const Site& site, const MapSheet& sheet, int most) {
 
 }  // namespace
 
-TerrainMap lit_hours_map(const HeightField& heights, const LitMaps& lit) {
-  TerrainMap map = heights_map(heights);
-  const std::vector<std::uint16_t> hours = lit_positions(lit);
+TerrainMap lit_hours_map(const Site& site, const LitMaps& lit) {
+  TerrainMap map = heights_map(site.input.heights);
+  const std::vector<std::uint16_t> positions = lit_positions(lit);
   for (std::size_t i = 0; i < map.values.size(); ++i)
-    if (!std::isnan(map.values[i])) map.values[i] = hours[i];
+    if (!std::isnan(map.values[i])) map.values[i] = site.options.hours_each * positions[i];
   return map;
 }
 
@@ -112,7 +112,7 @@ std::vector<MapSheet> site_sheets(const Site& site, const SiteMaps& maps) {
       new_sheet(site, "heights", "Heights", "m", height_palette(), heights_map(heights)));
   sheets.push_back(soil_sheet(site));
   sheets.push_back(new_sheet(site, "lit-hours", "Hours in the light", "h a day",
-                             insolation_palette(), lit_hours_map(heights, maps.lit)));
+                             insolation_palette(), lit_hours_map(site, maps.lit)));
   sheets.push_back(new_sheet(site, "insolation", "Light kept by the ground", "kcal/m2 a day",
                              insolation_palette(), maps.energy));
   sheets.push_back(normal_sheet(site));

@@ -25,7 +25,7 @@ std::vector<MapSheet> site_sheets(const Site& site, const SiteMaps& maps);
 MapSheet chance_sheet(const Site& site, const std::string& species, TerrainMap chance);
 
 /// Hours in the light; NaN without data.
-TerrainMap lit_hours_map(const HeightField& heights, const LitMaps& lit);
+TerrainMap lit_hours_map(const Site& site, const LitMaps& lit);
 TerrainMap in_centimetres(const TerrainMap& metres);
 
 /// Throws InputError for a format that there is not, or one that this build cannot write.

@@ -78,9 +78,9 @@ std::string terrain_heading(const Site& site, const TerrainFindings& f,
         100.0 * (1.0 - static_cast<double>(f.height.cells) / static_cast<double>(heights.size())));
   if (site.soilless_share > 0.0)
     text += fmt::format("no soil in {:.3g} % of the rest\n", 100.0 * site.soilless_share);
-  text += fmt::format("biome {}{}, {} hours of sun, shadows by {}, {}\n\n", site.input.biome.name,
-                      in_brackets(f.biome_source), f.hours, f.engine,
-                      f.as_printed.empty() ? "corrected" : "as printed: " + f.as_printed);
+  text += fmt::format("biome {}{}, {:.4g} hours of sun at {} positions, shadows by {}, {}\n\n",
+                      site.input.biome.name, in_brackets(f.biome_source), f.hours, f.sun_positions,
+                      f.engine, f.as_printed.empty() ? "corrected" : "as printed: " + f.as_printed);
   return text;
 }
 
@@ -140,6 +140,7 @@ std::string terrain_json(const Site& site, const TerrainFindings& f,
                     {"biome", site.input.biome.name},
                     {"biome_source", terrain_text_or_null(f.biome_source)},
                     {"hours", f.hours},
+                    {"sun_positions", f.sun_positions},
                     {"engine", f.engine},
                     {"as_printed", terrain_text_or_null(f.as_printed)},
                     {"height_m", range_json(f.height)},

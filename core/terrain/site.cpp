@@ -139,13 +139,17 @@ Site load_site(const SiteDescription& description, const std::vector<std::string
   return site;
 }
 
-std::vector<SunDirection> sun_directions(const SiteDescription& description,
-                                         const SiteModel& model) {
+void set_sun(SiteOptions& options, const SiteDescription& description, const SiteModel& model) {
   const SunSource& sun = description.sun;
-  if (!sun.is_solar) return model.sun_path(sun.hourly);
-  const auto angles = read_named(description, "sun.kind", [&] {
-    const int daylight = static_cast<int>(std::lround(daylight_hours(sun.day)));
-    return solar_path(sun.day, sun.hours.value_or(std::max(1, daylight)));
+  if (!sun.is_solar) {
+    options.suns = model.sun_path(sun.hourly);
+    options.hours_each = 1.0;
+    return;
+  }
+  const auto [daylight, angles] = read_named(description, "sun.kind", [&] {
+    const double hours = daylight_hours(sun.day);
+    const int whole = static_cast<int>(std::lround(hours));
+    return std::pair{hours, solar_path(sun.day, sun.hours.value_or(std::max(1, whole)))};
   });
   if (angles.empty())
     throw InputError(
@@ -153,9 +157,9 @@ std::vector<SunDirection> sun_directions(const SiteDescription& description,
                     "give another day",
                     description.place_of("sun.date"), sun.day.latitude, sun.day.year, sun.day.month,
                     sun.day.day));
-  std::vector<SunDirection> directions;
-  for (const SunAngles& angle : angles) directions.push_back(direction_of(angle));
-  return directions;
+  options.suns.clear();
+  for (const SunAngles& angle : angles) options.suns.push_back(direction_of(angle));
+  options.hours_each = daylight / static_cast<double>(angles.size());
 }
 
 }  // namespace phytobench

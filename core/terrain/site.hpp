@@ -25,9 +25,10 @@ struct Site {
 /// InputError with the place in the site file.
 Site load_site(const SiteDescription& description, const std::vector<std::string>& grow = {});
 
-/// Where the sun stands in every hour. Throws InputError if it does not rise on that day.
-std::vector<SunDirection> sun_directions(const SiteDescription& description,
-                                         const SiteModel& model);
+/// Sets where the sun stands: in every hour of the thesis' path, or at the middle of equal parts of
+/// a true day, each of which counts as long as it is. Throws InputError if it does not rise on that
+/// day.
+void set_sun(SiteOptions& options, const SiteDescription& description, const SiteModel& model);
 
 /// The heights alone.
 HeightFile heights_of(const SiteDescription& description);

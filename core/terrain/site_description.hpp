@@ -62,7 +62,7 @@ struct SunSource {
   bool is_solar = false;
   HourlyPath hourly;
   SolarDay day{.latitude = 47.5, .longitude = 12.8};
-  std::optional<int> hours;  ///< of `day`; not set: those of daylight
+  std::optional<int> hours;  ///< equal parts of `day`; not set: as many as it has hours
 };
 
 struct SiteChoices {

@@ -70,8 +70,8 @@ Keys hourly_keys() {
        SiteChoice{{"hourly", "solar"},
                   [](Values& v, std::size_t i) { v.site.sun.is_solar = i == 1; }}},
       {"sun.hours", "h", "13",
-       "hours of daylight; of the true path as many as there are, and fewer or more count each as "
-       "a whole hour",
+       "hours of daylight; of the true path into how many equal parts the day is cut, and without "
+       "this key as many as it has hours",
        "[Lesser2019] fig. 10.4",
        SiteNumber{{.low = 1.0, .high = 240.0, .whole = true},
                   [](Values& v, double x) {

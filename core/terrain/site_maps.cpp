@@ -28,7 +28,7 @@ TerrainMap mapped(const HeightField& field, int threads, const Value& value) {
   return map;
 }
 
-/// What all hours bring above the air.
+/// What the day brings above the air.
 TerrainMap raw_energy(const SiteInput& input, const SiteOptions& options, const SiteModel& model,
                       const LitMaps& lit, const std::vector<SurfaceGradient>& surfaces) {
   const auto columns = static_cast<std::size_t>(input.heights.columns());
@@ -37,7 +37,7 @@ TerrainMap raw_energy(const SiteInput& input, const SiteOptions& options, const 
     for (std::size_t hour = 0; hour < options.suns.size(); ++hour)
       if (lit.is_lit(hour, static_cast<int>(i % columns), static_cast<int>(i / columns)))
         sum = sum + model.hourly_energy(surfaces[i], options.suns[hour]);
-    return (sum / one_day).value();
+    return (sum / one_day).value() * options.hours_each;
   });
 }
 
@@ -67,6 +67,7 @@ void check_site(const SiteInput& input) {
 
 SiteMaps site_maps(const SiteInput& input, const SiteOptions& options, const SiteModel& model,
                    ShadowEngine& shadows, const std::function<void(std::string_view)>& progress) {
+  PHYTOBENCH_EXPECT(options.hours_each > 0.0);
   const auto stage = [&](std::string_view name) {
     if (progress) progress(name);
   };

@@ -27,7 +27,8 @@ struct SiteInput {
 };
 
 struct SiteOptions {
-  std::vector<SunDirection> suns;  ///< one for each hour
+  std::vector<SunDirection> suns;  ///< where it stands, in equal steps of time
+  double hours_each = 1.0;         ///< that one of them stands for, more than 0
   SurfaceEstimator surface = SurfaceEstimator::sobel;
   Tolerance depth_tolerance = Tolerance::saturating;
   int threads = 1;  ///< results are the same for any number

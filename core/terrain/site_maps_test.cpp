@@ -62,6 +62,19 @@ TEST(SiteMaps, WithoutTheCosineThePolarSiteIsDry) {
   EXPECT_EQ(chance_maps(site, maps, apple_tree, *model, {}).chance.at(2, 2), 0.0);
 }
 
+TEST(SiteMapsLaw, EveryPositionBringsWhatItsTimeBrings) {
+  const SiteInput site = flat_site();
+  const auto model = corrected_site_model();
+  const SiteOptions hours{.suns = model->sun_path({})};
+  SiteOptions halves = hours;
+  halves.hours_each = 0.5;
+  const auto engine = shadow_engine_named("exact_traversal").create();
+  const SiteMaps whole = site_maps(site, hours, *model, *engine),
+                 half = site_maps(site, halves, *model, *engine);
+  EXPECT_EQ(half.raw_energy.at(2, 2), 0.5 * whole.raw_energy.at(2, 2));
+  EXPECT_LT(half.energy.at(2, 2), whole.energy.at(2, 2));
+}
+
 // At the border fewer neighbours throw light over, each its share.
 TEST(SiteMapsLaw, FlatGroundIsTheSameEverywhere) {
   const SiteMaps maps = maps_of(flat_site(), *corrected_site_model());

@@ -139,15 +139,47 @@ TEST_F(SiteLoading, EveryFormCanBeMade) {
   }
 }
 
-TEST_F(SiteLoading, TheSunHasADirectionForEveryHour) {
-  const SiteDescription site = parse_site(
-      "entries = []\nheights.made = \"flat\"\nground.soil = \"E\"\nclimate.biome = "
-      "\"Z\"\nsun.hours = 7\n[[biome]]\nname = \"Z\"\nabsorption = 20\ndiffusion = 5\n"
-      "clouds = 25\nrain = 3\ngroundwater = 2\n[[soil]]\nname = \"E\"\nid = 7\nalbedo = "
-      "0.2\nwater_absorption = 0.5\n[[species]]\nname = \"W\"\nenergy_demand = 0\n"
-      "water_demand = 0\nsoil = \"\"\nsoil_depth = 0\n",
+constexpr const char* one_of_each =
+    "[[biome]]\nname = \"Z\"\nabsorption = 20\ndiffusion = 5\nclouds = 25\nrain = 3\n"
+    "groundwater = 2\n[[soil]]\nname = \"E\"\nid = 7\nalbedo = 0.2\nwater_absorption = 0.5\n"
+    "[[species]]\nname = \"W\"\nenergy_demand = 0\nwater_demand = 0\nsoil = \"\"\n"
+    "soil_depth = 0\n";
+
+SiteDescription flat_site_with(const std::string& sun) {
+  return parse_site(
+      "entries = []\nheights.made = \"flat\"\nground.soil = \"E\"\nclimate.biome = \"Z\"\n" + sun +
+          "\n" + one_of_each,
       "s.toml", {});
-  EXPECT_EQ(sun_directions(site, *corrected_site_model()).size(), 7u);
+}
+
+TEST_F(SiteLoading, TheSunHasADirectionForEveryHour) {
+  const SiteDescription site = flat_site_with("sun.hours = 7");
+  SiteOptions options{.hours_each = 0.5};
+  set_sun(options, site, *corrected_site_model());
+  EXPECT_EQ(options.suns.size(), 7u);
+  EXPECT_EQ(options.hours_each, 1.0);
+}
+
+// What a day brings does not depend on how many parts it is cut into.
+TEST_F(SiteLoading, PartsOfATrueDayCountAsLongAsTheyAre) {
+  if (!can_place_the_sun()) GTEST_SKIP() << "built without libnova";
+  const auto model = corrected_site_model();
+  std::vector<double> brought;
+  for (const char* parts : {"12", "24", "240"}) {
+    const SiteDescription site = flat_site_with(
+        std::string(
+            "sun.kind = \"solar\"\nsun.latitude = 51\nsun.date = 2019-06-21\nsun.hours = ") +
+        parts);
+    SiteOptions options;
+    set_sun(options, site, *model);
+    EXPECT_NEAR(options.hours_each * static_cast<double>(options.suns.size()),
+                daylight_hours(site.sun.day), 1e-9);
+    double sum = 0.0;
+    for (const SunDirection& sun : options.suns) sum += sun.up;
+    brought.push_back(sum * options.hours_each);
+  }
+  EXPECT_NEAR(brought[0], brought[2], 0.01 * brought[2]);
+  EXPECT_NEAR(brought[1], brought[2], 0.003 * brought[2]);
 }
 
 }  // namespace
