@@ -5,6 +5,7 @@
 
 #include "core/tree/branch_angle_reduction.hpp"
 #include "core/tree/branches.hpp"
+#include "experiments/liebemann2017/fork_angles.hpp"
 #include "experiments/liebemann2017/influence_scenes.hpp"
 #include "experiments/liebemann2017/literal_growth.hpp"
 #include "experiments/liebemann2017/random_words.hpp"
@@ -23,24 +24,6 @@ double longest_deviation(const Skeleton& skeleton) {
                  std::abs(norm(skeleton.positions()[v] - skeleton.position(skeleton.parents()[v])) -
                           step_length));
   return deviation;
-}
-
-/// Mean angle between the edges to successors of one node, over all pairs.
-double mean_fork_angle_deg(const Skeleton& skeleton) {
-  const ChildLists children(skeleton);
-  double sum = 0.0;
-  std::int64_t pairs = 0;
-  for (std::int32_t v = 1; v < static_cast<std::int32_t>(skeleton.node_count()); ++v) {
-    const auto successors = children.of(v);
-    for (std::size_t i = 0; i < successors.size(); ++i)
-      for (std::size_t j = i + 1; j < successors.size(); ++j) {
-        const Vector3 a = skeleton.position(successors[i]) - skeleton.position(v),
-                      b = skeleton.position(successors[j]) - skeleton.position(v);
-        sum += std::atan2(norm(cross(a, b)), dot(a, b)) * 180.0 / std::numbers::pi;
-        ++pairs;
-      }
-  }
-  return pairs > 0 ? sum / static_cast<double>(pairs) : 0.0;
 }
 
 /// Root radius by eq. 3.4 against the literal sum from the tips, as a share of it.

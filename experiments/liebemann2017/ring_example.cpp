@@ -8,6 +8,7 @@
 #include "core/tree/branch_depth.hpp"
 #include "core/tree/branches.hpp"
 #include "core/tree/skeleton_svg.hpp"
+#include "experiments/liebemann2017/fork_angles.hpp"
 #include "experiments/liebemann2017/influence_scenes.hpp"
 #include "experiments/liebemann2017/literal_growth.hpp"
 #include "experiments/liebemann2017/path_lengths.hpp"
@@ -74,11 +75,16 @@ struct Outcomes {
       record_seeded(context, name + "/stop/" + text,
                     found == reasons.end() ? std::int64_t{0} : found->second);
     }
-    for (const std::string& what : measured) {
-      record_seeded(context, name + "/" + what + "/least", ranges.at(what).least);
-      record_seeded(context, name + "/" + what + "/greatest", ranges.at(what).greatest);
-    }
+    record_ranges(context, name, measured, "1");
     record_seeded(context, name + "/differs_from_oracle", differs_from_oracle);
+  }
+
+  void record_ranges(ExperimentContext& context, const std::string& name,
+                     const std::vector<std::string>& measured, const char* unit) const {
+    for (const std::string& what : measured) {
+      record_seeded(context, name + "/" + what + "/least", ranges.at(what).least, unit);
+      record_seeded(context, name + "/" + what + "/greatest", ranges.at(what).greatest, unit);
+    }
   }
 };
 
@@ -87,10 +93,20 @@ Seedling figure_3_2(std::uint64_t seed, std::uint64_t number) {
                {0, -ring_radius, 0});
 }
 
-void draw(ExperimentContext& context, const GrowthResult& result) {
-  context.artifact("figure-3.2.svg",
-                   skeleton_svg(reduce_branch_angles(result.skeleton, 0.5),
-                                "Figure 3.2 (c, d): another cloud of 2000 points in a disc"));
+/// Figure 3.2 (c): the tree with every node halfway to its parent, [RLP07] sec. 2.
+Skeleton narrow(Outcomes& once, const Skeleton& skeleton) {
+  Skeleton narrowed = reduce_branch_angles(skeleton, 0.5);
+  const double before = mean_fork_angle_deg(skeleton), after = mean_fork_angle_deg(narrowed);
+  once.add("fork_angle", before);
+  once.add("narrowed_fork_angle", after);
+  once.add("fork_angle_left", after / before);
+  return narrowed;
+}
+
+void draw(ExperimentContext& context, const Skeleton& narrowed) {
+  context.artifact(
+      "figure-3.2.svg",
+      skeleton_svg(narrowed, "Figure 3.2 (c, d): another cloud of 2000 points in a disc"));
 }
 
 void run(ExperimentContext& context) {
@@ -111,7 +127,8 @@ void run(ExperimentContext& context) {
     radius_off =
         std::max(radius_off, std::abs(branch_radii(single.skeleton, tip_radius, ring_g)[0] -
                                       std::sqrt(static_cast<double>(tip_count(single.skeleton)))));
-    if (i == 0) draw(context, single);
+    const Skeleton narrowed = narrow(once, single.skeleton);
+    if (i == 0) draw(context, narrowed);
     if (i >= literal_clouds) continue;
     printed.differs_from_oracle += differs_from_oracle(as_printed, repeated);
     once.differs_from_oracle += differs_from_oracle(rejecting, single);
@@ -121,7 +138,8 @@ void run(ExperimentContext& context) {
                  {"nodes", "places", "repeated", "identical_successors", "points_left"});
   once.record(context, "once",
               {"iterations", "nodes", "repeated", "tips", "greatest_degree", "greatest_Z",
-               "points_left", "root_radius"});
+               "points_left", "root_radius", "fork_angle_left"});
+  once.record_ranges(context, "once", {"fork_angle", "narrowed_fork_angle"}, "deg");
   record_seeded(context, "printed/places_not_those_without_repeats", repeats_elsewhere);
   record_seeded(context, "once/root_radius_off_sqrt_of_tips", radius_off, "length");
 }
