@@ -5,6 +5,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -33,26 +35,31 @@ TEST(TemporaryFile, IsNotForProgramsThatAreStarted) {
   EXPECT_NE(::fcntl(::fileno(file.get()), F_GETFD) & FD_CLOEXEC, 0);
 }
 
-/// Lets the process open no further file while it lives.
-class NoFurtherFile {
+/// Lets the process write to no file while it lives. (Without descriptors, not even the checks of a
+/// sanitizer would work.)
+class NoByteInFiles {
  public:
-  NoFurtherFile() {
-    ::getrlimit(RLIMIT_NOFILE, &before_);
+  NoByteInFiles() : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
     const rlimit none{0, before_.rlim_max};
-    ::setrlimit(RLIMIT_NOFILE, &none);
+    ::setrlimit(RLIMIT_FSIZE, &none);
   }
-  ~NoFurtherFile() { ::setrlimit(RLIMIT_NOFILE, &before_); }
-  NoFurtherFile(const NoFurtherFile&) = delete;
-  NoFurtherFile& operator=(const NoFurtherFile&) = delete;
+  ~NoByteInFiles() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  NoByteInFiles(const NoByteInFiles&) = delete;
+  NoByteInFiles& operator=(const NoByteInFiles&) = delete;
 
  private:
+  void (*handler_)(int);
   rlimit before_{};
 };
 
 TEST(TemporaryFile, SaysForWhatThereIsNone) {
   std::string said;
   {
-    const NoFurtherFile limit;
+    const NoByteInFiles limit;
     try {
       temporary_file("text", "no file for the script");
     } catch (const EnvironmentError& error) {

@@ -166,10 +166,10 @@ TEST_F(SiteLoading, PartsOfATrueDayCountAsLongAsTheyAre) {
   const auto model = corrected_site_model();
   std::vector<double> brought;
   for (const char* parts : {"12", "24", "240"}) {
-    const SiteDescription site = flat_site_with(
-        std::string(
-            "sun.kind = \"solar\"\nsun.latitude = 51\nsun.date = 2019-06-21\nsun.hours = ") +
-        parts);
+    const SiteDescription site =
+        flat_site_with(std::string("sun.kind = \"solar\"\nsun.latitude = 51\nsun.longitude = "
+                                   "7\nsun.date = 2019-06-21\nsun.hours = ") +
+                       parts);
     SiteOptions options;
     set_sun(options, site, *model);
     EXPECT_NEAR(options.hours_each * static_cast<double>(options.suns.size()),
