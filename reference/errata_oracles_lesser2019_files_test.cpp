@@ -51,10 +51,6 @@ OracleTable lesser2019_file_oracles() {
         [](const Arguments& a) {
           return static_cast<double>(std::set{std::pair{a[0], a[1]}, std::pair{a[2], a[3]}}.size());
         }}},
-      // Grey levels of a pixel and of the only soil; pixels with a result.
-      {"lesser2019/pixels-of-unknown-soil",
-       {2, [](const Arguments& a) { return a[0] == a[1] ? 1.0 : undefined; },
-        [](const Arguments& a) { return a[0] == a[1] ? 1.0 : 0.0; }}},
       // Columns and rows of an image that is at least as wide as high.
       {"lesser2019/pixels-loaded",
        {2, [](const Arguments& a) { return a[1] * a[1]; },

@@ -113,6 +113,10 @@ OracleTable chance_oracles() {
       {"lesser2019/chance-without-need",
        {2, [](const Arguments& a) { return lesser::listing_9_17(a[0], a[1]); },
         [](const Arguments& a) { return a[0] == 0 ? 1.0 : lesser::listing_9_17(a[0], a[1]); }}},
+      {"lesser2019/chance-beyond-twice-the-need",
+       {2, [](const Arguments& a) { return 1 - (a[1] / a[0] - 1); },  // sec. 8.6
+        [](const Arguments& a) { return lesser::listing_9_17(a[0], a[1]); }}},
+      // Depth needed, available.
       {"lesser2019/chance-by-soil-depth",
        {2,
         [](const Arguments& a) {

@@ -40,6 +40,12 @@ lesser::Heights rising_rows(double rise, double ps) {
   return map;
 }
 
+/// Degrees, S_y over eight pixel sizes taken for the rise along the rows.
+double rise_by_sobel(double rise, double ps) {
+  return std::atan(lesser::equation_8_3(rising_rows(rise, ps), 1, 1).S_y / (8 * ps)) /
+         lesser_radian;
+}
+
 /// Degrees from red over green, of half of each component of a normal plus a half.
 double hue_of(const lesser::Normal& n) {
   const double red = (n.x + 1) / 2, green = (n.y + 1) / 2, blue = (n.z + 1) / 2;
@@ -85,25 +91,18 @@ OracleTable lesser2019_sun_oracles() {
         [](const Arguments& a) {
           return lesser::path(from_azimuth(a, lesser::AzimuthStep::always_half)).back().azimuth;
         }}},
-      // Hour of thirteen, 15 degrees each, latitude, declination; azimuth.
-      {"lesser2019/azimuth-at-45-degrees",
-       {3,
-        [](const Arguments& a) {
-          return lesser::path({})[static_cast<std::size_t>(a[0]) - 1].azimuth;
-        },
-        [](const Arguments& a) { return lesser::true_sun(a[1], a[2], 15 * (a[0] - 7)).azimuth; }}},
       // Latitude, declination; elevation at noon, as if the equator always had the zenith.
       {"lesser2019/noon-in-summer",
        {2, [](const Arguments& a) { return a[0] == 0 ? 90.0 : 90 - std::abs(a[0] - a[1]); },
         [](const Arguments& a) { return lesser::true_noon_elevation(a[0], a[1]); }}},
-      // Rise from row to row, pixel size; slope by eq. 8.3, as it stands and over 8 pixels.
-      {"lesser2019/slope-by-sobel",
-       {2,
+      // Rise from row to row, pixel size; rise to the south by S_y of eq. 8.3, and by the normal
+      // that
+      // faces downhill.
+      {"lesser2019/rise-along-the-rows",
+       {2, [](const Arguments& a) { return rise_by_sobel(a[0], a[1]); },
         [](const Arguments& a) {
-          return lesser::angle_to_vertical(lesser::sobel_as_printed(rising_rows(a[0], a[1]), 1, 1));
-        },
-        [](const Arguments& a) {
-          return lesser::angle_to_vertical(lesser::sobel_corrected(rising_rows(a[0], a[1]), 1, 1));
+          const lesser::Normal n = lesser::sobel_corrected(rising_rows(a[0], a[1]), 1, 1);
+          return std::atan2(-n.y, n.z) / lesser_radian;
         }}},
       // Slope to the north; its hue.
       {"lesser2019/hue-of-a-slope-to-the-north",

@@ -32,7 +32,7 @@ struct SobelSums {
 };
 SobelSums equation_8_3(const Heights& map, int i, int j);
 
-// The sums taken as slopes, as they stand (E17), and over 8 pixels, with y to the south.
+// The sums taken as slopes: as they stand, and over 8 pixels, with y to the south (E17).
 Normal sobel_as_printed(const Heights& map, int i, int j);
 Normal sobel_corrected(const Heights& map, int i, int j);
 
