@@ -3,6 +3,7 @@
 // those pictures are not printed: ours have more water than the polar one, so that some is left.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -81,17 +82,48 @@ double north_minus_south(const TerrainMap& map) {
   return mean(map, north_first, north_last) - mean(map, south_first, south_last);
 }
 
+/// In which of 13 hours the middle of the north flank is dark.
+void record_dark_hours(ExperimentContext& context, const std::string& name, const LitMaps& lit) {
+  std::int64_t early = 0, midday = 0, late = 0;
+  for (int hour = 0; hour < thesis_hours; ++hour) {
+    auto& part = hour < 4 ? early : hour < thesis_hours - 4 ? midday : late;
+    part += !lit.is_lit(static_cast<std::size_t>(hour), side / 2, side / 4);
+  }
+  context.record(name + "north-dark/first-four-hours", early, "h");
+  context.record(name + "north-dark/five-hours-between", midday, "h");
+  context.record(name + "north-dark/last-four-hours", late, "h");
+}
+
 /// How many of 13 hours the middle of each flank is lit.
 void record_lit_hours(ExperimentContext& context, const HeightField& heights, double slope,
                       double max_elevation) {
   for (const char* engine : {"printed_march", "exact_traversal"}) {
-    const auto hours = lit_positions(cast_by(engine, heights, thesis_path(max_elevation)).lit);
+    const LitMaps lit = cast_by(engine, heights, thesis_path(max_elevation)).lit;
+    const auto hours = lit_positions(lit);
     const std::string name = fmt::format("slope-{}/max-{}/{}/", slope, max_elevation, engine);
     context.record(name + "north-hours", std::int64_t{hours[heights.index(side / 2, side / 4)]},
                    "h");
     context.record(name + "south-hours",
                    std::int64_t{hours[heights.index(side / 2, side - 1 - side / 4)]}, "h");
+    record_dark_hours(context, name, lit);
   }
+}
+
+/// The same ridge where the air takes less: more energy, and what it leaves of the water.
+void record_subtropical(ExperimentContext& context, const std::string& name,
+                        const HeightField& heights, const Site& site, const Form& form) {
+  const Site hot = site_of(heights, subtropical, 80.0, form.switches);
+  const auto whole_ridge = [](const TerrainMap& map) { return mean(map, north_first, south_last); };
+  context.record(name + "subtropical/more-energy",
+                 whole_ridge(hot.maps.energy) - whole_ridge(site.maps.energy), "kcal/m2");
+  context.record(name + "subtropical/less-water",
+                 whole_ridge(site.maps.water) - whole_ridge(hot.maps.water), "l/m2");
+  // Without any sun all water is left that the soil takes up.
+  TerrainMap taken_up = hot.maps.soil_depth;
+  for (double& value : taken_up.values)
+    value = hot.model->water(Length(value), thesis_dirt(), subtropical, DailyEnergy(0.0)).value();
+  context.record(name + "subtropical/evaporated-share",
+                 1.0 - whole_ridge(hot.maps.water) / whole_ridge(taken_up));
 }
 
 void record_flanks(ExperimentContext& context, double slope) {
@@ -110,33 +142,52 @@ void record_flanks(ExperimentContext& context, double slope) {
         .energy_demand = DailyEnergy(thesis_entry("species", "Fir").number("energy_kcal_per_day"))};
     const ChanceMaps chances = chance_maps(site.input, site.maps, fir, *site.model, site.options);
     context.record(name + "fir-light-north-minus-south", north_minus_south(chances.light));
-    const Site hot = site_of(heights, subtropical, 80.0, form.switches);
-    const auto more = [&](const TerrainMap& a, const TerrainMap& b) {
-      return mean(a, north_first, south_last) - mean(b, north_first, south_last);
-    };
-    context.record(name + "subtropical/more-energy", more(hot.maps.energy, site.maps.energy),
-                   "kcal/m2");
-    context.record(name + "subtropical/less-water", more(site.maps.water, hot.maps.water), "l/m2");
+    record_subtropical(context, name, heights, site, form);
   }
 }
 
-/// Two slopes down to a floor: where soil is deepest, and where most water is.
-void record_valley(ExperimentContext& context) {
-  constexpr int first_floor = 12, last_floor = 20;
-  const HeightField heights = square_field(side, thesis_cell, [](int, int row) {
+/// Two slopes down to a level floor.
+HeightField valley_terrain(int first_floor, int last_floor, double slope) {
+  return square_field(side, thesis_cell, [&](int, int row) {
     const int away = row < first_floor ? first_floor - row : std::max(0, row - last_floor);
-    return away * thesis_cell * 0.8;
+    return away * thesis_cell * std::tan(slope * std::numbers::pi / 180.0);
   });
+}
+
+double mean_lit_hours(const Site& site, int first_row, int last_row) {
+  const auto hours = lit_positions(site.maps.lit);
+  TerrainMap map = site.maps.energy;
+  map.values.assign(hours.begin(), hours.end());
+  return mean(map, first_row, last_row);
+}
+
+/// Where soil is deepest, where the sun comes least, and where most water is: on the floor, on its
+/// flanks or on open level ground.
+void record_valley(ExperimentContext& context, double slope) {
+  constexpr int first_floor = 12, last_floor = 20;
+  const HeightField heights = valley_terrain(first_floor, last_floor, slope),
+                    open = square_field(side, thesis_cell, [](int, int) { return 0.0; });
+  const auto floor = [](const TerrainMap& map) {
+    return mean(map, first_floor + 1, last_floor - 1);
+  };
   for (const Form& form : forms()) {
-    const Site site = site_of(heights, temperate, 80.0, form.switches);
-    const std::string name = fmt::format("valley/{}/", form.name);
-    const auto floor_minus_flanks = [&](const TerrainMap& map) {
-      return mean(map, first_floor + 1, last_floor - 1) -
-             std::max(mean(map, 2, first_floor - 2), mean(map, last_floor + 2, side - 3));
+    const Site site = site_of(heights, temperate, 80.0, form.switches),
+               level = site_of(open, temperate, 80.0, form.switches);
+    const std::string name = fmt::format("valley/slope-{}/{}/", slope, form.name);
+    const auto record = [&](const char* what, const TerrainMap& map, const char* unit) {
+      const double north = mean(map, 2, first_floor - 2),
+                   south = mean(map, last_floor + 2, side - 3);
+      context.record(fmt::format("{}{}-floor-minus-flanks", name, what),
+                     floor(map) - std::max(north, south), unit);
     };
-    context.record(name + "depth-floor-minus-flanks", floor_minus_flanks(site.maps.soil_depth),
-                   "m");
-    context.record(name + "water-floor-minus-flanks", floor_minus_flanks(site.maps.water), "l/m2");
+    record("depth", site.maps.soil_depth, "m");
+    record("water", site.maps.water, "l/m2");
+    context.record(name + "water-floor-minus-open-level-ground",
+                   floor(site.maps.water) - floor(level.maps.water), "l/m2");
+    context.record(name + "lit-hours-floor-minus-open-level-ground",
+                   mean_lit_hours(site, first_floor + 1, last_floor - 1) -
+                       mean_lit_hours(level, first_floor + 1, last_floor - 1),
+                   "h");
   }
 }
 
@@ -176,8 +227,10 @@ void record_correlations(ExperimentContext& context) {
 }
 
 void run(ExperimentContext& context) {
-  for (const double slope : {30.0, 50.0}) record_flanks(context, slope);
-  record_valley(context);
+  for (const double slope : {30.0, 53.0}) record_flanks(context, slope);
+  // The sun is seen from 42 degrees on over such flanks: the gentle ones leave the floor without
+  // shade.
+  for (const double slope : {39.0, 53.0}) record_valley(context, slope);
   record_correlations(context);
 }
 
