@@ -64,9 +64,16 @@ double plane_residual(const std::vector<Vector3>& points) {
   return std::sqrt(std::max(0.0, dot(normal, apply(normal))));
 }
 
+/// How high the sun is in the seventh of 13 hours if that is set as the greatest elevation.
+double simulated_noon(double greatest) {
+  return sun_angles({.hours = 13, .max_elevation = greatest})[6].elevation;
+}
+
 void record_noons(ExperimentContext& context) {
   context.record("noon-june", noon(weissbach, obliquity), "degrees");
   context.record("noon-december", noon(weissbach, -obliquity), "degrees");
+  context.record("noon-june/simulated", simulated_noon(noon(weissbach, obliquity)), "degrees");
+  context.record("noon-december/simulated", simulated_noon(noon(weissbach, -obliquity)), "degrees");
   context.record("equator/noon-equinox", noon(0.0, 0.0), "degrees");
   context.record("equator/noon-solstice", noon(0.0, obliquity), "degrees");
   context.record("tropic/noon-solstice", noon(obliquity, obliquity), "degrees");
