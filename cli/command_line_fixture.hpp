@@ -14,6 +14,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <set>
 #include <sstream>
@@ -187,6 +188,21 @@ class CommandLine : public testing::Test {
     outcome.code = exit_code_of(child);
     outcome.out = content_of(root_ / "out");
     outcome.err = content_of(root_ / "err");
+    return outcome;
+  }
+
+  /// The same, later and later until Ctrl-C is heard (code 130): how long a program takes to start
+  /// nobody knows, and before that the signal just kills it. `after_each` looks at what is left.
+  Outcome interrupt(const Words& slow, const std::function<void()>& after_each = {}) const {
+    Outcome outcome;
+    for (int milliseconds = 100; outcome.code != 130 && milliseconds < 10'000; milliseconds *= 2) {
+      outcome = run_and_interrupt(slow, milliseconds);
+      EXPECT_NE(outcome.code, 0) << "it was done before";
+      if (after_each) after_each();
+    }
+    EXPECT_EQ(outcome.code, 130) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(line_count(outcome.err), 1) << outcome.err;
     return outcome;
   }
 
