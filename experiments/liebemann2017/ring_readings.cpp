@@ -22,7 +22,8 @@ const Vector3 centre{}, lowest{0, -ring_radius, 0};
 constexpr std::uint64_t clouds = 2;
 
 void measure(ExperimentContext& context, const Reading& reading) {
-  std::int64_t least = std::numeric_limits<std::int64_t>::max(), greatest = 0, tips = 0, left = 0;
+  constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+  std::int64_t least = none, greatest = 0, fewest_tips = none, most_tips = 0, left = 0;
   std::int64_t never_grew = 0, out_of_reach = 0, different = 0;
   for (std::uint64_t i = 0; i < clouds; ++i) {
     const Seedling seedling =
@@ -32,7 +33,9 @@ void measure(ExperimentContext& context, const Reading& reading) {
     const GrowthResult result = grow(seedling);
     least = std::min(least, nodes_of(result));
     greatest = std::max(greatest, nodes_of(result));
-    tips = std::max(tips, static_cast<std::int64_t>(tip_count(result.skeleton)));
+    const auto tips = static_cast<std::int64_t>(tip_count(result.skeleton));
+    fewest_tips = std::min(fewest_tips, tips);
+    most_tips = std::max(most_tips, tips);
     left = std::max(left, static_cast<std::int64_t>(result.live_points));
     never_grew += nodes_of(result) == 1;
     out_of_reach += result.stop_reason == StopReason::no_point_in_range;
@@ -42,7 +45,8 @@ void measure(ExperimentContext& context, const Reading& reading) {
   const std::string name = fmt::format("{}/", reading.name);
   record_seeded(context, name + "nodes/least", least);
   record_seeded(context, name + "nodes/greatest", greatest);
-  record_seeded(context, name + "tips/greatest", tips);
+  record_seeded(context, name + "tips/least", fewest_tips);
+  record_seeded(context, name + "tips/greatest", most_tips);
   record_seeded(context, name + "points_left/greatest", left);
   record_seeded(context, name + "never_grew", never_grew);
   record_seeded(context, name + "stopped_out_of_reach", out_of_reach);
