@@ -66,7 +66,8 @@ class RunInputs {
     if (!stays_inside(named.name) || !fs::is_regular_file(named.file) || find(name)) return;
     if (is_name_of_run(name))
       throw InputError(fmt::format(
-          "{}: names {}, which is also a file that the run writes into --out; rename it",
+          "{}: names {}, which is also a file that the run writes into --out, where it copies "
+          "what it starts from; rename it",
           parameter_file.string(), named.name));
     files_.push_back({name, read(named.file)});
   }

@@ -4,17 +4,17 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
-#include "cli/output_files.hpp"
 #include "cli/terminal.hpp"
 #include "cli/terrain_findings.hpp"
+#include "cli/terrain_folder.hpp"
 #include "cli/terrain_maps.hpp"
 #include "cli/terrain_plants.hpp"
 #include "cli/terrain_shadows.hpp"
 #include "core/contract/errors.hpp"
 #include "core/memory/keep_freed_memory.hpp"
-#include "core/record/folder_lock.hpp"
 #include "core/terrain/shadow/shadow_registry.hpp"
 #include "core/terrain/site_checks.hpp"
 #include "core/terrain/site_file.hpp"
@@ -70,53 +70,6 @@ TerrainModel terrain_model_of(const SiteChoices& choices, const TerrainOptions& 
   return result;
 }
 
-/// The folder's own files, under temporary names until all are there.
-class TerrainFolder {
- public:
-  TerrainFolder() = default;
-  explicit TerrainFolder(const std::string& folder) : folder_(folder) {
-    if (folder.empty()) return;
-    make_folder(folder_);
-    lock_ = FolderLock(folder_);
-    refuse_unwritable_files({(folder_ / summary_name).string()});
-  }
-
-  void add(std::vector<FileContent> files) {
-    for (FileContent& file : files) {
-      names_.push_back(file.file.string());
-      files_.push_back({folder_ / file.file, std::move(file.content)});
-    }
-  }
-
-  /// All that were added, and the summary.
-  std::vector<std::string> names() const {
-    std::vector<std::string> names = names_;
-    names.emplace_back(summary_name);
-    return names;
-  }
-
-  void write(std::string summary, const std::vector<fs::path>& inputs) {
-    files_.push_back({folder_ / summary_name, std::move(summary)});
-    for (const FileContent& file : files_)
-      for (const fs::path& input : inputs) {
-        std::error_code ignored;
-        if (!input.empty() && fs::equivalent(file.file, input, ignored))
-          throw InputError(
-              file.file.string() +
-              ": would overwrite a file that the site is read from; use another --out");
-      }
-    write_files_atomically(files_);
-  }
-
- private:
-  static constexpr const char* summary_name = "summary.json";
-
-  fs::path folder_;
-  FolderLock lock_;
-  std::vector<FileContent> files_;
-  std::vector<std::string> names_;
-};
-
 void begin_stage(std::string_view stage) {
   if (is_interrupted()) throw Interrupted("nothing is written");
   show_progress(fmt::format("terrain: {}", stage));
@@ -141,6 +94,7 @@ class TerrainRun {
           begin_stage(fmt::format("shadows, sun {} of {}", position + 1, positions));
         });
     maps_ = site_maps(site_.input, site_.options, *model_.model, shadows, begin_stage);
+    refuse_without_slopes();
     describe_site();
     if (writes())
       for (const MapSheet& sheet : site_sheets(site_, maps_)) add(sheet);
@@ -150,8 +104,16 @@ class TerrainRun {
     begin_stage("writing");
     if (!writes()) return;
     findings_.files = folder_.names();
+    findings_.older_files = folder_.older_files();
     folder_.write(terrain_json(site_, findings_, options_),
                   {description_.file, description_.heights.file, description_.ground.file});
+  }
+
+  /// Maps that this run did not replace look as if they belonged to it.
+  void warn_of_older_files() const {
+    if (!findings_.older_files.empty())
+      tell(fmt::format("warning: {} still holds files of an earlier run: {}", options_.out,
+                       fmt::join(findings_.older_files, ", ")));
   }
 
   std::string shown() const {
@@ -165,6 +127,14 @@ class TerrainRun {
   void add(const MapSheet& sheet) {
     begin_stage("map " + sheet.name);
     folder_.add(sheet_files(site_, sheet, options_.maps));
+  }
+
+  /// Of heights that have no neighbours nothing can be said.
+  void refuse_without_slopes() const {
+    if (range_of(maps_.slope).cells == 0)
+      throw InputError(description_.place_of("heights") +
+                       ": no place has heights beside it and above or below it, and so none has a "
+                       "slope; give a map with less ground without data");
   }
 
   void describe_site() {
@@ -226,7 +196,7 @@ int terrain(const TerrainOptions& options) {
   catch_interrupts();  // from here on there are stages to stop between
   TerrainRun run(options, std::move(description));
   run.run();
-  clear_progress();
+  run.warn_of_older_files();
   print(run.shown());
   return 0;
 }

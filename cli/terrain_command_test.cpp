@@ -148,25 +148,39 @@ TEST_F(TerrainCommand, CompeteTakesItsPlantsOver) {
   std::uint64_t plants = 0;
   for (const json& species : site["species"]) plants += species["plants"].get<std::uint64_t>();
   EXPECT_EQ(plants, 200u);
-  EXPECT_EQ(line_count(read("site/plants.csv")), 201);
+  EXPECT_EQ(line_count(read("site/placed.csv")), 201);
   const json stand =
-      json_of({"compete", "site/stand.toml", "--steps", "2", "--json"}, "phytobench/compete-1");
+      json_of({"compete", "site/stand.toml", "--steps", "2", "--out", "grown", "--json"},
+              "phytobench/compete-1");
   std::uint64_t start = 0;
   for (const json& species : stand["species"]) start += species["start"].get<std::uint64_t>();
   EXPECT_EQ(start, 200u);
   EXPECT_EQ(stand["ground"]["size"], (json{320.0, 240.0}));
   EXPECT_EQ(site["files"].size(), 3u);
+  // What the run starts from lies beside what it leaves.
+  EXPECT_EQ(read("grown/placed.csv"), read("site/placed.csv"));
+  EXPECT_TRUE(exists("grown/plants.csv"));
 }
 
-TEST_F(TerrainCommand, MapsOfOneRowAndMostlyWithoutDataWork) {
-  write("heights.csv", "5\n");
-  EXPECT_EQ(terrain({"site.toml"})["ground"]["rows"], 1);
-  std::string wide = "1";
-  for (int column = 1; column < 500; ++column) wide += column == 250 ? ",3" : ",nan";
-  write("heights.csv", wide + "\n");
+TEST_F(TerrainCommand, MapsOfTwoRowsAndMostlyWithoutDataWork) {
+  std::string wide = "1,2";
+  for (int column = 2; column < 500; ++column) wide += ",nan";
+  write("heights.csv", wide + "\n" + wide + "\n");
   const json site = terrain({"site.toml", "--out", "wide"});
-  EXPECT_EQ(site["ground"]["cells_with_data"], 2);
+  EXPECT_EQ(site["ground"]["cells_with_data"], 4);
+  EXPECT_EQ(site["slope_degrees"]["cells"], 4);
   EXPECT_EQ(parse_png(read("wide/water.png"), "").width(), 500);
+}
+
+TEST_F(TerrainCommand, MapsWithoutSlopesAreRefused) {
+  for (const char* line : {"5\n", "1,2,3\n", "1\n2\n"}) {
+    write("heights.csv", line);
+    expect_refused_line("terrain site.toml --out maps", "give at least 2 of each");
+  }
+  write("heights.csv", "1,nan,nan\nnan,nan,nan\nnan,nan,2\n");
+  expect_refused_line("terrain site.toml --out maps",
+                      "site.toml:3: no place has heights beside it");
+  EXPECT_FALSE(exists("maps"));
 }
 
 TEST_F(TerrainCommand, PlantsThatNeedNothingGrow) {
@@ -181,6 +195,8 @@ TEST_F(TerrainCommand, PlantsThatNeedNothingGrow) {
 TEST_F(TerrainCommand, TheExampleCanBeUsed) {
   write("example.toml", output_of({"terrain", "--example"}));
   EXPECT_GE(terrain({"example.toml"})["species"].size(), 6u);
+  expect_refused_line("terrain --example --json", "nothing else; leave out --json");
+  expect_refused_line("terrain site.toml --example", "nothing else; leave out site.toml");
 }
 
 TEST_F(TerrainCommand, RefusesWrongOptions) {
@@ -245,8 +261,50 @@ TEST_F(TerrainCommand, AFullDiskLeavesNothing) {
   const Outcome outcome = run_line("terrain site.toml --out maps --maps svg");
   EXPECT_EQ(outcome.code, 3);
   EXPECT_EQ(line_count(outcome.err), 1) << outcome.err;
-  EXPECT_FALSE(exists("maps/heights.svg"));
-  EXPECT_FALSE(exists("maps/summary.json"));
+  EXPECT_FALSE(exists("maps"));
+}
+
+TEST_F(TerrainCommand, OnlyFoldersMadeForNothingGoAgain) {
+  write("heights.csv", "1,nan,nan\nnan,nan,nan\nnan,nan,2\n");  // found out late: no slopes
+  write("kept/mine.txt", "mine");
+  std::filesystem::create_directory(folder() / "empty");
+  for (const char* out : {"new/deep/maps", "new/maps/", "kept/maps", "kept", "empty"})
+    expect_refused_line(std::string("terrain site.toml --out ") + out, "no place has heights");
+  EXPECT_FALSE(exists("new"));
+  EXPECT_FALSE(exists("kept/maps"));
+  EXPECT_EQ(read("kept/mine.txt"), "mine");
+  EXPECT_TRUE(exists("empty"));
+}
+
+TEST_F(TerrainCommand, NamesWhatAnEarlierRunHasLeft) {
+  const auto run_in_maps = [&](const std::string& options) {
+    const Outcome outcome =
+        run_line("terrain site.toml --json --out maps --maps asc --species " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return std::pair{outcome.err, json::parse(outcome.out)["older_files"]};
+  };
+  EXPECT_EQ(run_in_maps("Moss --plants 5").first, "");
+  const auto [told, older] = run_in_maps("Appletree");
+  EXPECT_EQ(told,
+            "phytobench: warning: maps still holds files of an earlier run: chance-Moss.asc, "
+            "placed.csv, stand.toml\n");
+  EXPECT_EQ(older, (json{"chance-Moss.asc", "placed.csv", "stand.toml"}));
+  // However long ago, until they are replaced or gone.
+  std::filesystem::remove(folder() / "maps/stand.toml");
+  EXPECT_EQ(run_in_maps("Appletree").second, (json{"chance-Moss.asc", "placed.csv"}));
+  EXPECT_EQ(run_in_maps("Appletree,Moss").second, (json{"placed.csv"}));
+}
+
+TEST_F(TerrainCommand, SummariesOfOthersSayNothing) {
+  write("secret", "mine");
+  for (const char* summary :
+       {"no json", "[1]", "{\"schema\": \"other\", \"files\": [\"site.toml\"]}",
+        "{\"schema\": \"phytobench/terrain-1\", \"files\": [1, \"../secret\", \"gone\"]}",
+        "{\"schema\": \"phytobench/terrain-1\", \"files\": \"heights.svg\"}"}) {
+    SCOPED_TRACE(summary);
+    write("maps/summary.json", summary);
+    EXPECT_TRUE(terrain({"site.toml", "--out", "maps", "--maps", "none"})["older_files"].empty());
+  }
 }
 
 TEST_F(TerrainCommand, CanBeInterrupted) {
@@ -255,7 +313,7 @@ TEST_F(TerrainCommand, CanBeInterrupted) {
         "ground.soil = \"Dirt\"\nclimate.biome = \"PolarZone\"\n"
         "model.engine = \"exact_traversal\"\n");
   interrupt({"terrain", "large.toml", "--out", "maps", "--maps", "png"},
-            [&] { EXPECT_FALSE(exists("maps/summary.json")); });
+            [&] { EXPECT_FALSE(exists("maps")); });
 }
 
 }  // namespace

@@ -49,6 +49,7 @@ struct TerrainFindings {
   MapRange height, slope, lit_hours, raw_energy, energy, soil_depth, water;
   std::vector<SpeciesFindings> species;
   std::vector<std::string> files;
+  std::vector<std::string> older_files;  ///< of earlier runs, in the same folder
 };
 
 SpeciesFindings species_findings(const HeightField& heights, const SiteEntry<SitePlant>& species,

@@ -154,6 +154,7 @@ std::string terrain_json(const Site& site, const TerrainFindings& f,
   for (const SpeciesFindings& one : f.species) json["species"].push_back(species_json(one));
   json["seed"] = options.plants.empty() ? ordered_json(nullptr) : ordered_json(options.seed);
   json["files"] = f.files;
+  json["older_files"] = f.older_files;
   return json_text(json) + "\n";
 }
 

@@ -12,7 +12,9 @@ namespace phytobench::cli {
 
 namespace {
 
-constexpr const char* plants_table_name = "plants.csv";
+/// Not plants.csv: a run of `compete` copies what it starts from into a folder where that is the
+/// name of its own table.
+constexpr const char* plants_table_name = "placed.csv";
 
 /// A stand for `compete` on the same ground. What the plants do there is the user's to say.
 std::string placed_stand_file(const Site& site) {

@@ -17,7 +17,7 @@ PlantSampling plant_sampling_from(const TerrainOptions& options);
 
 struct PlacedPlants {
   std::vector<std::uint64_t> counts;  ///< of each species
-  std::vector<FileContent> files;     ///< plants.csv, and stand.toml that begins with it
+  std::vector<FileContent> files;     ///< placed.csv, and stand.toml that begins with it
 };
 
 /// `chances` are those of site.species, in this order.
