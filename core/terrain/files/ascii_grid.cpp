@@ -178,14 +178,18 @@ class AsciiGridReader {
                        raster_.columns, raster_.rows, count));
   }
 
+  /// -9999 is what the format has where the header has no entry.
+  double no_data_mark() const {
+    const Entry* given = entry("nodata_value");
+    return given == nullptr ? -9999.0 : given->value;
+  }
+
   void read_line(std::size_t count) {
-    const Entry* mark = entry("nodata_value");
+    const double mark = no_data_mark();
     std::string_view words = line_;
     for (std::string_view word = next_word(words); !word.empty(); word = next_word(words)) {
       const std::optional<double> value = number_of(word);
-      const bool is_marked =
-          mark != nullptr && value &&
-          (*value == mark->value || (std::isnan(*value) && std::isnan(mark->value)));
+      const bool is_marked = value && (*value == mark || (std::isnan(*value) && std::isnan(mark)));
       if (!value || (!is_marked && !std::isfinite(*value)))
         refuse(line_number_, fmt::format("'{}' is no finite number; mark what has no data with "
                                          "NODATA_value",

@@ -69,6 +69,15 @@ TEST(AsciiGrid, MarksWhatHasNoData) {
   EXPECT_EQ(by_nan.values[1], 5.0);
 }
 
+TEST(AsciiGrid, WithoutAMarkItIsTheOneOfTheFormat) {
+  const Raster usual = grid_of("ncols 3\nnrows 1\n-9999 -9999.0 -9998\n");
+  EXPECT_TRUE(std::isnan(usual.values[0]));
+  EXPECT_TRUE(std::isnan(usual.values[1]));
+  EXPECT_EQ(usual.values[2], -9998.0);
+  // One that is given stands instead.
+  EXPECT_EQ(grid_of("ncols 2\nnrows 1\nNODATA_value 0\n-9999 5\n").values[0], -9999.0);
+}
+
 TEST(AsciiGrid, RowsMayBeBrokenWhereTheFirstIs) {
   EXPECT_THAT(grid_of(small_header + "1 2\n3 4\n5 6\n").values,
               ElementsAre(1.0, 2.0, 3.0, 4.0, 5.0, 6.0));
