@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/contract/errors.hpp"
+#include "core/terrain/files/same_ground.hpp"
 #include "core/terrain/made/posterised.hpp"
 #include "core/terrain/site_checks.hpp"
 #include "core/terrain/soil_map.hpp"
@@ -52,7 +53,8 @@ std::int16_t index_named(const std::vector<Soil>& soils, const std::string& name
   return static_cast<std::int16_t>(found - soils.begin());
 }
 
-std::vector<std::int16_t> mapped_soils(const SiteDescription& site, const SiteInput& input) {
+std::vector<std::int16_t> mapped_soils(const SiteDescription& site, const SiteInput& input,
+                                       const std::optional<GeoReference>& place) {
   return read_named(site, "ground.file", [&] {
     const NumberMap map = read_number_map(site.ground.file);
     const HeightField& heights = input.heights;
@@ -60,12 +62,16 @@ std::vector<std::int16_t> mapped_soils(const SiteDescription& site, const SiteIn
       throw InputError(fmt::format(
           "{}: has {} columns and {} rows, and the heights {} and {}; give maps of the same size",
           site.ground.file, map.columns, map.rows, heights.columns(), heights.rows()));
+    if (map.place && place)
+      refuse_other_ground({site.ground.file, *map.place}, {site.heights.file, *place}, map.columns,
+                          map.rows);
     return soils_of_ids(map, input.soils, site.ground.file);
   });
 }
 
-std::vector<std::int16_t> soil_of(const SiteDescription& site, const SiteInput& input) {
-  if (!site.ground.file.empty()) return mapped_soils(site, input);
+std::vector<std::int16_t> soil_of(const SiteDescription& site, const SiteInput& input,
+                                  const std::optional<GeoReference>& place) {
+  if (!site.ground.file.empty()) return mapped_soils(site, input, place);
   if (!site.ground.soil.empty())
     return std::vector<std::int16_t>(input.heights.size(),
                                      index_named(input.soils, site.ground.soil));
@@ -123,7 +129,7 @@ Site load_site(const SiteDescription& description, const std::vector<std::string
   SiteInput& input = site.input;
   input.heights = std::move(heights.field);
   for (const SiteEntry<Soil>& soil : soils) input.soils.push_back(soil.entry);
-  input.soil_of = soil_of(description, input);
+  input.soil_of = soil_of(description, input, site.place);
   input.biome = biome_named(description, description.biome).entry;
   input.max_soil_depth = description.ground.max_depth;
   input.neighbour_share = description.neighbour_share;

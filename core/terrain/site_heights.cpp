@@ -49,11 +49,8 @@ HeightFile made_heights(const HeightSource& source) {
   throw ContractViolation("a terrain that cannot be made");
 }
 
-}  // namespace
-
-HeightFile heights_of(const SiteDescription& site) {
+HeightFile read_heights(const SiteDescription& site) {
   const HeightSource& source = site.heights;
-  if (source.file.empty()) return made_heights(source);
   try {
     return read_height_file(source.file, {.height_conversion = source.conversion,
                                           .cell_width = source.cell_width,
@@ -62,6 +59,24 @@ HeightFile heights_of(const SiteDescription& site) {
     throw InputError(
         fmt::format("{}: heights.file: {}", site.place_of("heights.file"), error.what()));
   }
+}
+
+/// Without a neighbour to the east or west, or to the north or south, nothing has a slope.
+void refuse_lines(const SiteDescription& site, const HeightField& field) {
+  if (field.columns() > 1 && field.rows() > 1) return;
+  const bool is_made = site.heights.file.empty();
+  throw InputError(fmt::format(
+      "{}: {} has {} columns and {} rows, of which there are no slopes; give at least 2 of each",
+      site.place_of(is_made ? "heights.made" : "heights.file"),
+      is_made ? "the terrain" : site.heights.file, field.columns(), field.rows()));
+}
+
+}  // namespace
+
+HeightFile heights_of(const SiteDescription& site) {
+  HeightFile heights = site.heights.file.empty() ? made_heights(site.heights) : read_heights(site);
+  refuse_lines(site, heights.field);
+  return heights;
 }
 
 }  // namespace phytobench

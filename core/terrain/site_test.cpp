@@ -81,7 +81,7 @@ TEST_F(SiteLoading, MapsThatDoNotFitAreRefused) {
   const std::string ground = "[ground]\nfile = \"soil.csv\"\n";
   EXPECT_THAT(refusal(heights_of_csv + ground),
               AllOf(HasSubstr("s.toml:37: ground.file: "),
-                    HasSubstr("has soil 8 at 1 places, the first in column 1, row 1"),
+                    HasSubstr("has soil 8 at 1 places, the first in row 2, column 2"),
                     HasSubstr("7 Earth, 9 Rock")));
   write("soil.csv", "7,9,9\n");
   EXPECT_THAT(refusal(heights_of_csv + ground),
@@ -93,6 +93,26 @@ TEST_F(SiteLoading, MapsThatDoNotFitAreRefused) {
               HasSubstr("soils 'Third' and 'Earth'"));
 }
 
+TEST_F(SiteLoading, SoilsOfOtherGroundAreRefused) {
+  const auto grid = [](const std::string& west, const std::string& rows) {
+    return "ncols 2\nnrows 2\nxllcorner " + west + "\nyllcorner 50\ncellsize 10\n" + rows;
+  };
+  const std::string maps = "[heights]\nfile = \"h.asc\"\n[ground]\nfile = \"soil.asc\"\n";
+  write("h.asc", grid("100", "0 10\n20 30\n"));
+  write("soil.asc", grid("100", "7 9\n9 7\n"));
+  EXPECT_EQ(refusal(maps), "accepted");
+  write("soil.asc", grid("120", "7 9\n9 7\n"));
+  EXPECT_THAT(refusal(maps),
+              AllOf(HasSubstr("s.toml:36: ground.file: "), HasSubstr("soil.asc: reaches from 120"),
+                    HasSubstr("h.asc from 100, 50 to 120, 70")));
+  // A picture does not say where it lies, nor what terrain is made.
+  write("soil.csv", "7,9\n9,7\n");
+  EXPECT_EQ(refusal("[heights]\nfile = \"h.asc\"\n[ground]\nfile = \"soil.csv\"\n"), "accepted");
+  EXPECT_EQ(refusal("[heights]\nmade = \"flat\"\ncolumns = 2\nrows = 2\n[ground]\nfile = "
+                    "\"soil.asc\"\n"),
+            "accepted");
+}
+
 TEST_F(SiteLoading, HeightsThatCannotBeReadAreNamedWithTheirKey) {
   const std::string ground = "[ground]\nsoil = \"Earth\"\n";
   EXPECT_THAT(refusal(heights_of_csv + ground),
@@ -101,6 +121,22 @@ TEST_F(SiteLoading, HeightsThatCannotBeReadAreNamedWithTheirKey) {
   EXPECT_THAT(refusal(heights_of_csv + ground), HasSubstr("s.toml:34: heights.file: "));
   write("h.csv", "1,2\n3\n");
   EXPECT_THAT(refusal(heights_of_csv + ground), HasSubstr("h.csv:2"));
+}
+
+TEST_F(SiteLoading, MapsOfOneRowOrColumnAreRefused) {
+  const std::string ground = "[ground]\nsoil = \"Earth\"\n";
+  for (const auto& [text, size] :
+       {std::pair{"7\n", "1 columns and 1 rows"}, std::pair{"1,2,3\n", "3 columns and 1 rows"},
+        std::pair{"1\n2\n", "1 columns and 2 rows"}}) {
+    write("h.csv", text);
+    EXPECT_THAT(refusal(heights_of_csv + ground),
+                AllOf(HasSubstr("s.toml:34: "), HasSubstr("h.csv has "), HasSubstr(size),
+                      HasSubstr("give at least 2 of each")));
+  }
+  write("h.csv", "1,2\n3,4\n");
+  EXPECT_EQ(refusal(heights_of_csv + ground), "accepted");
+  EXPECT_THAT(refusal("[heights]\nmade = \"flat\"\ncolumns = 3\nrows = 1\n" + ground),
+              HasSubstr("s.toml:34: the terrain has 3 columns and 1 rows"));
 }
 
 TEST_F(SiteLoading, MixedUnitsAreRefused) {
@@ -115,7 +151,7 @@ TEST_F(SiteLoading, MixedUnitsAreRefused) {
 
 TEST_F(SiteLoading, ChoosesSpecies) {
   const std::string flat =
-      "[heights]\nmade = \"flat\"\ncolumns = 3\nrows = 1\n[ground]\nsoil = "
+      "[heights]\nmade = \"flat\"\ncolumns = 3\nrows = 2\n[ground]\nsoil = "
       "\"Rock\"\n";
   EXPECT_EQ(load(flat, {"Weed", "Weed"}).species.size(), 1u);
   EXPECT_EQ(load(flat, {"Weed"}).species[0].entry.name, "Weed");

@@ -22,9 +22,9 @@ namespace {
   std::vector<std::string> known;
   for (const Soil& soil : soils) known.push_back(fmt::format("{} {}", soil.id, soil.name));
   throw InputError(fmt::format(
-      "{}: has soil {} at {} places, the first in column {}, row {}, and there is no [[soil]] with "
+      "{}: has soil {} at {} places, the first in row {}, column {}, and there is no [[soil]] with "
       "this id ({}); describe it, or change the map",
-      name, id, count, first % columns, first / columns, fmt::join(known, ", ")));
+      name, id, count, first / columns + 1, first % columns + 1, fmt::join(known, ", ")));
 }
 
 }  // namespace

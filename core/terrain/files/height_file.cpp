@@ -87,7 +87,8 @@ HeightFile read_height_file(const std::filesystem::path& file, const HeightFileO
 
 NumberMap read_number_map(const std::filesystem::path& file) {
   const Raster raster = read_raster(file);
-  NumberMap map{.columns = raster.columns, .rows = raster.rows};
+  NumberMap map{
+      .columns = raster.columns, .rows = raster.rows, .numbers = {}, .place = raster.place};
   map.numbers.reserve(raster.values.size());
   for (std::size_t i = 0; i < raster.values.size(); ++i)
     map.numbers.push_back(whole_number(raster.values[i], file.string(), i, raster.columns));

@@ -48,6 +48,7 @@ struct NumberMap {
   int columns = 0;
   int rows = 0;
   std::vector<std::int16_t> numbers;
+  std::optional<GeoReference> place = {};
 };
 NumberMap read_number_map(const std::filesystem::path& file);
 
