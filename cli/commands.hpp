@@ -178,9 +178,9 @@ struct LSystemDeriveOptions : CameraOptions {
 int derive(const LSystemDeriveOptions& options);
 
 struct OverlapOptions {
-  std::string discs;         ///< CSV file
-  std::string radius = "r";  ///< its column of radii
-  std::string window;        ///< x0,y0,x1,y1; empty: the open plane
+  std::string discs;   ///< CSV file
+  std::string radius;  ///< its column of radii; empty: "r", or else "radius"
+  std::string window;  ///< x0,y0,x1,y1; empty: the open plane
   bool torus = false;
   std::string engine = "layered_grid";
   int threads = 1;

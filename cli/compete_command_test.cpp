@@ -37,6 +37,7 @@ TEST_F(CompeteCommand, RunsItsExample) {
   EXPECT_GT(d["pattern"]["clark_evans"].get<double>(), 0.5);
   EXPECT_TRUE(d["files"].empty());
   EXPECT_EQ(left_behind(), (std::set<std::string>{"example.toml", "lively.toml"}));
+  expect_refused_line("compete --example --json", "nothing else; leave out --json");
 }
 
 TEST_F(CompeteCommand, AccountsForEveryPlant) {

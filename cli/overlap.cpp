@@ -21,6 +21,7 @@ namespace {
 
 struct Overlaps {
   DiscTable table;
+  std::string radius_column;
   std::optional<Rectangle> window;
   bool is_torus = false;
   OverlapPairs pairs;
@@ -44,7 +45,9 @@ Overlaps find_overlaps(const OverlapOptions& options) {
   const OverlapEngineDescriptor& engine = overlap_engine_named(options.engine);
   const Ground ground{options.torus ? result.window : std::nullopt};
   step("reading discs");
-  result.table = read_discs(options.discs, ground, options.radius);
+  result.radius_column =
+      options.radius.empty() ? usual_radius_column(options.discs) : options.radius;
+  result.table = read_discs(options.discs, ground, result.radius_column);
   const Discs discs = result.table.discs();
   step("finding pairs");
   engine.create()->find(
@@ -97,6 +100,7 @@ void write_json(const Overlaps& o, const OverlapOptions& options) {
   JsonWriter out;
   out.write("{{\n  \"schema\": \"phytobench/overlap-1\",\n");
   out.write("  \"discs\": {},\n", json_text(nlohmann::json(options.discs), -1));
+  out.write("  \"radius_column\": {},\n", json_text(nlohmann::json(o.radius_column), -1));
   out.write("  \"engine\": \"{}\",\n", options.engine);
   if (o.window)
     out.write("  \"window\": [{}, {}, {}, {}],\n", o.window->low.x, o.window->low.y,
@@ -174,10 +178,11 @@ std::string table(const Overlaps& o, const OverlapOptions& options) {
   }
   for (const double area : o.pairs.area()) overlaps += area;
   return fmt::format(
-             "{}: {} discs, {}\n\noverlapping pairs         {}\narea of all discs         {:.6g}\n"
+             "{}: {} discs, radii in column {}, {}\n\n"
+             "overlapping pairs         {}\narea of all discs         {:.6g}\n"
              "overlap, pair by pair     {:.6g}\ndiscs smaller than theirs  {}\n",
-             options.discs, o.overlap_sum.size(), ground_text(o), o.pairs.size(), discs, overlaps,
-             beyond) +
+             options.discs, o.overlap_sum.size(), o.radius_column, ground_text(o), o.pairs.size(),
+             discs, overlaps, beyond) +
          covered_table(o) + most_covered(o);
 }
 

@@ -48,6 +48,23 @@ TEST_F(OverlapCommand, TakesRadiiFromAnyColumn) {
   EXPECT_EQ(run_line("overlap " + stand + " --radius crown").code, 2);
 }
 
+// As compete and terrain write tables of plants.
+TEST_F(OverlapCommand, TakesAColumnCalledRadiusWhereThereIsNoR) {
+  const std::string plants = file("plants.csv", "x,y,radius\n0,0,1\n1,0,1\n");
+  const json d = document(plants);
+  EXPECT_EQ(d["pairs"].size(), 1u);
+  EXPECT_EQ(d["radius_column"], "radius");
+  EXPECT_THAT(output_of({"overlap", plants}),
+              HasSubstr("2 discs, radii in column radius, open plane"));
+  const json both = document(file("both.csv", "x,y,radius,r\n0,0,1,0.2\n1,0,1,0.2\n"));
+  EXPECT_TRUE(both["pairs"].empty());
+  EXPECT_EQ(both["radius_column"], "r");
+  // Only where nothing is asked for.
+  expect_refused_line("overlap " + plants + " --radius r", "no column 'r'");
+  expect_refused_line("overlap " + file("none.csv", "x,y,crown\n0,0,1\n"), "no column 'r'");
+  EXPECT_EQ(run_line("race overlap --engines sweep --rounds 2 --discs " + plants).code, 0);
+}
+
 TEST_F(OverlapCommand, CountsBareGroundInAWindowAndJoinsItsSides) {
   const std::string discs = file("b.csv", "r,x,y\n1,0.5,5\n1,9.5,5\n");
   const json open = document(discs + " --window 0,0,10,10");

@@ -63,7 +63,7 @@ OverlapWorkload chosen_workload(const OverlapRaceOptions& options) {
     throw InputError("--torus with --discs needs --window x0,y0,x1,y1");
   OverlapWorkload workload;
   if (options.torus) workload.ground.torus = rectangle_from(options.window, "--window");
-  DiscTable table = read_discs(options.discs, workload.ground);
+  DiscTable table = read_discs(options.discs, workload.ground, usual_radius_column(options.discs));
   workload.name = options.discs;
   workload.seed = options.seed;
   workload.x = std::move(table.x);

@@ -52,10 +52,12 @@ void add_grow(CLI::App& app, Commands& commands) {
 void add_overlap(CLI::App& app, Commands& commands) {
   OverlapOptions& options = commands.overlap;
   CLI::App* sub = app.add_subcommand("overlap", "Who overlaps whom, and by how much");
-  sub->add_option("discs", options.discs, "CSV file with columns x, y, r")->required();
+  sub->add_option("discs", options.discs, "CSV file with columns x, y, and r or radius")
+      ->required();
   sub->add_option("--radius", options.radius,
                   "The column of radii, such as root_radius of a stand's plants.csv")
-      ->capture_default_str();
+      ->default_str("r, or else radius")
+      ->check(some_name);
   sub->add_option("--window", options.window,
                   "x0,y0,x1,y1: count covered ground inside it, bare ground too");
   sub->add_flag("--torus", options.torus, "Join opposite sides of the window");
@@ -159,7 +161,9 @@ void add_compete(CLI::App& app, Commands& commands) {
   sub->add_flag("--resume", options.resume, "Go on with the run in --out");
   sub->add_flag("--example", options.example, "Print a parameter file with every key explained");
   sub->add_flag("--json", options.json, "One JSON document");
-  sub->callback([&] { commands.chosen = [&] { return compete(commands.compete); }; });
+  sub->callback([&, sub] {
+    commands.chosen = unless_example_has_company(*sub, [&] { return compete(commands.compete); });
+  });
 }
 
 }  // namespace phytobench::cli

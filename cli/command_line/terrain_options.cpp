@@ -35,7 +35,9 @@ void add_terrain(CLI::App& app, Commands& commands) {
       ->check(CLI::Range(1, 1024));
   sub->add_flag("--example", options.example, "Print a site with every key explained");
   sub->add_flag("--json", options.json, "One JSON document");
-  sub->callback([&] { commands.chosen = [&] { return terrain(commands.terrain); }; });
+  sub->callback([&, sub] {
+    commands.chosen = unless_example_has_company(*sub, [&] { return terrain(commands.terrain); });
+  });
 }
 
 }  // namespace phytobench::cli

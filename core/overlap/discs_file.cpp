@@ -8,6 +8,12 @@
 
 namespace phytobench {
 
+std::string usual_radius_column(const std::filesystem::path& file) {
+  std::error_code ignored;
+  const bool may_be_asked = std::filesystem::is_regular_file(file, ignored);
+  return may_be_asked && !has_column(file, "r") && has_column(file, "radius") ? "radius" : "r";
+}
+
 DiscTable read_discs(const std::filesystem::path& file, const Ground& ground,
                      const std::string& radius_column) {
   auto columns = read_number_columns(file, {"x", "y", radius_column});
