@@ -10,6 +10,7 @@
 namespace phytobench {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 TEST(SitePresets, CanBeReadAndSayWhatTheyAre) {
@@ -74,6 +75,14 @@ TEST(SitePresets, WhatIsAssumedSaysSo) {
     EXPECT_THAT(site_entry_of(site.soils, name).source, HasSubstr("assumed"));
   for (const char* name : {"Fir", "Beech", "Cactus"})
     EXPECT_THAT(site_entry_of(site.species, name).source, HasSubstr("assumed"));
+  std::size_t with_assumed_biome = 0;
+  for (const SitePreset& preset : site_presets()) {
+    const SiteDescription its = read_site_file(preset.file, site_entry_file);
+    if (site_entry_of(its.biomes, its.biome).source != "assumed") continue;
+    ++with_assumed_biome;
+    EXPECT_THAT(preset.summary, AllOf(HasSubstr("biome"), HasSubstr("assumed"))) << preset.name;
+  }
+  EXPECT_EQ(with_assumed_biome, 2u);
 }
 
 TEST(SitePresets, AnUnknownNameGetsTheClosestOne) {

@@ -40,12 +40,9 @@ const SiteEntry<Entry>& entry_named(const SiteDescription& site,
                   key, list, in_one_line(name), did_you_mean(in_one_line(name), known), list));
 }
 
-/// One of two ways, and not both.
 void check_heights(const SiteDescription& site) {
   const bool has_file = is_key_given(site, "heights.file"),
              has_made = is_key_given(site, "heights.made");
-  if (has_file && has_made)
-    fail_at_key(site, "heights.made", set_the_same("heights.file", "heights.made"));
   if (has_file && site.heights.file.empty())
     fail_at_key(site, "heights.file",
                 "heights.file is empty; give a name, or heights.made instead");
@@ -143,6 +140,11 @@ const SiteEntry<Soil>& soil_named(const SiteDescription& site, std::string_view 
 const SiteEntry<SitePlant>& species_named(const SiteDescription& site, std::string_view name,
                                           std::string_view key) {
   return entry_named(site, site.species, "species", name, key);
+}
+
+void refuse_two_kinds_of_heights(const SiteDescription& site) {
+  if (is_key_given(site, "heights.file") && is_key_given(site, "heights.made"))
+    fail_at_key(site, "heights.made", set_the_same("heights.file", "heights.made"));
 }
 
 void check_description(const SiteDescription& site) {

@@ -9,6 +9,9 @@
 
 namespace phytobench {
 
+/// Throws InputError for heights of both kinds: before keys are judged that belong to one of them.
+void refuse_two_kinds_of_heights(const SiteDescription& site);
+
 /// Throws InputError, with file and line, for sources that are missing or given twice, names
 /// without an entry, losses of the air above 100 percent or written as shares, an unknown engine.
 void check_description(const SiteDescription& site);

@@ -52,6 +52,7 @@ class SiteFileReader {
   void read_site() {
     values_.site.file = file_;
     read_table(root_, "");
+    refuse_two_kinds_of_heights(values_.site);
     refuse_keys_of_others();
   }
 

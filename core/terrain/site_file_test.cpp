@@ -206,6 +206,9 @@ TEST_F(SiteFile, EveryWrongValueIsRefusedWithItsPlace) {
 TEST_F(SiteFile, TwoWaysToSayTheSameAreRefused) {
   EXPECT_EQ(refusal(whole_site + "heights.file = \"a.png\""),
             "s.toml:1: heights.file and heights.made set the same; give one of them");
+  // Before keys of one of them.
+  EXPECT_EQ(refusal("[heights]\nfile = \"h.csv\"\ncolumns = 3\nmade = \"flat\"\n"),
+            "s.toml:4: heights.file and heights.made set the same; give one of them");
   EXPECT_EQ(refusal(whole_site + "ground.posterise = [\"Earth\"]"),
             "s.toml:2: ground.posterise and ground.soil set the same; give one of them");
 }

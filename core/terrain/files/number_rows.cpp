@@ -13,16 +13,24 @@ namespace phytobench {
 
 namespace {
 
+[[noreturn]] void refuse_field(std::string_view field, const std::string& place) {
+  if (field.find(';') != std::string_view::npos)
+    throw InputError(
+        fmt::format("{}: '{}' has semicolons between its numbers; write commas there, and points "
+                    "within numbers",
+                    place, shown_word(field)));
+  throw InputError(
+      fmt::format("{}: '{}' is no finite number; write it like 1.5 or 2e-3, with "
+                  "commas between numbers and nothing where there is no data",
+                  place, shown_word(field)));
+}
+
 double number_in_field(std::string_view field, const std::string& place) {
   std::string_view words = field;
   const std::string_view word = next_word(words);
   if (word.empty() || (is_nan_word(word) && next_word(words).empty())) return HeightField::no_data;
   const std::optional<double> value = number_of(word);
-  if (!value || !std::isfinite(*value) || !next_word(words).empty())
-    throw InputError(
-        fmt::format("{}: '{}' is no finite number; write it like 1.5 or 2e-3, with "
-                    "commas between numbers and nothing where there is no data",
-                    place, shown_word(field)));
+  if (!value || !std::isfinite(*value) || !next_word(words).empty()) refuse_field(field, place);
   return *value;
 }
 

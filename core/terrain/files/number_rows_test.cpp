@@ -55,7 +55,8 @@ TEST(NumberRows, RefusesWhatIsNoNumber) {
   EXPECT_THAT(rows_error("x,y,z\n1,2,3\n"), StartsWith("hill.csv:1: 'x' is no finite number"));
   EXPECT_THAT(rows_error("1,inf\n"), HasSubstr("'inf'"));
   EXPECT_THAT(rows_error("1,1e400\n"), HasSubstr("'1e400'"));
-  EXPECT_THAT(rows_error("1;2;3\n"), HasSubstr("'1;2;3'"));
+  EXPECT_THAT(rows_error("1;2;3\n"), StartsWith("hill.csv:1: '1;2;3' has semicolons between"));
+  EXPECT_THAT(rows_error("1,2\n1,5;2,5\n"), StartsWith("hill.csv:2: '5;2' has semicolons"));
   EXPECT_THAT(rows_error("1 2,3\n"), HasSubstr("'1 2'"));
   EXPECT_THAT(rows_error("nan 2,3\n"), HasSubstr("'nan 2'"));
   EXPECT_THAT(rows_error(std::string(100, 'a')), HasSubstr(std::string(40, 'a') + "...'"));
