@@ -264,49 +264,6 @@ TEST_F(TerrainCommand, AFullDiskLeavesNothing) {
   EXPECT_FALSE(exists("maps"));
 }
 
-TEST_F(TerrainCommand, OnlyFoldersMadeForNothingGoAgain) {
-  write("heights.csv", "1,nan,nan\nnan,nan,nan\nnan,nan,2\n");  // found out late: no slopes
-  write("kept/mine.txt", "mine");
-  std::filesystem::create_directory(folder() / "empty");
-  for (const char* out : {"new/deep/maps", "new/maps/", "kept/maps", "kept", "empty"})
-    expect_refused_line(std::string("terrain site.toml --out ") + out, "no place has heights");
-  EXPECT_FALSE(exists("new"));
-  EXPECT_FALSE(exists("kept/maps"));
-  EXPECT_EQ(read("kept/mine.txt"), "mine");
-  EXPECT_TRUE(exists("empty"));
-}
-
-TEST_F(TerrainCommand, NamesWhatAnEarlierRunHasLeft) {
-  const auto run_in_maps = [&](const std::string& options) {
-    const Outcome outcome =
-        run_line("terrain site.toml --json --out maps --maps asc --species " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return std::pair{outcome.err, json::parse(outcome.out)["older_files"]};
-  };
-  EXPECT_EQ(run_in_maps("Moss --plants 5").first, "");
-  const auto [told, older] = run_in_maps("Appletree");
-  EXPECT_EQ(told,
-            "phytobench: warning: maps still holds files of an earlier run: chance-Moss.asc, "
-            "placed.csv, stand.toml\n");
-  EXPECT_EQ(older, (json{"chance-Moss.asc", "placed.csv", "stand.toml"}));
-  // However long ago, until they are replaced or gone.
-  std::filesystem::remove(folder() / "maps/stand.toml");
-  EXPECT_EQ(run_in_maps("Appletree").second, (json{"chance-Moss.asc", "placed.csv"}));
-  EXPECT_EQ(run_in_maps("Appletree,Moss").second, (json{"placed.csv"}));
-}
-
-TEST_F(TerrainCommand, SummariesOfOthersSayNothing) {
-  write("secret", "mine");
-  for (const char* summary :
-       {"no json", "[1]", "{\"schema\": \"other\", \"files\": [\"site.toml\"]}",
-        "{\"schema\": \"phytobench/terrain-1\", \"files\": [1, \"../secret\", \"gone\"]}",
-        "{\"schema\": \"phytobench/terrain-1\", \"files\": \"heights.svg\"}"}) {
-    SCOPED_TRACE(summary);
-    write("maps/summary.json", summary);
-    EXPECT_TRUE(terrain({"site.toml", "--out", "maps", "--maps", "none"})["older_files"].empty());
-  }
-}
-
 TEST_F(TerrainCommand, CanBeInterrupted) {
   write("large.toml",
         "heights.made = \"fractal\"\nheights.columns = 3000\nheights.rows = 3000\n"
