@@ -14,7 +14,8 @@ using Values = SiteFileValues;
 /// Above it not every whole number is a double.
 constexpr double largest_seed = 9007199254740991;
 constexpr NumberRange cell_range{.low = 0.01, .high = 1e5};
-constexpr NumberRange side_range{.low = 1.0, .high = 16384.0, .whole = true};
+/// With one row or column nothing has a slope.
+constexpr NumberRange side_range{.low = 2.0, .high = 16384.0, .whole = true};
 constexpr NumberRange height_range_m{.high = 1e5, .low_is_allowed = false};
 
 constexpr SiteKeyCondition for_files{

@@ -49,34 +49,33 @@ HeightFile made_heights(const HeightSource& source) {
   throw ContractViolation("a terrain that cannot be made");
 }
 
-HeightFile read_heights(const SiteDescription& site) {
-  const HeightSource& source = site.heights;
-  try {
-    return read_height_file(source.file, {.height_conversion = source.conversion,
-                                          .cell_width = source.cell_width,
-                                          .cell_depth = source.cell_depth});
-  } catch (const InputError& error) {
+/// Without a neighbour to the east or west, or to the north or south, nothing has a slope.
+void refuse_lines(const HeightField& field, const std::string& name) {
+  if (field.columns() < 2 || field.rows() < 2)
     throw InputError(
-        fmt::format("{}: heights.file: {}", site.place_of("heights.file"), error.what()));
-  }
+        fmt::format("{}: has {} columns and {} rows, and of one alone there are no slopes; give at "
+                    "least 2 of each",
+                    name, field.columns(), field.rows()));
 }
 
-/// Without a neighbour to the east or west, or to the north or south, nothing has a slope.
-void refuse_lines(const SiteDescription& site, const HeightField& field) {
-  if (field.columns() > 1 && field.rows() > 1) return;
-  const bool is_made = site.heights.file.empty();
-  throw InputError(fmt::format(
-      "{}: {} has {} columns and {} rows, of which there are no slopes; give at least 2 of each",
-      site.place_of(is_made ? "heights.made" : "heights.file"),
-      is_made ? "the terrain" : site.heights.file, field.columns(), field.rows()));
+HeightFile read_heights(const HeightSource& source) {
+  HeightFile heights = read_height_file(source.file, {.height_conversion = source.conversion,
+                                                      .cell_width = source.cell_width,
+                                                      .cell_depth = source.cell_depth});
+  refuse_lines(heights.field, source.file);
+  return heights;
 }
 
 }  // namespace
 
 HeightFile heights_of(const SiteDescription& site) {
-  HeightFile heights = site.heights.file.empty() ? made_heights(site.heights) : read_heights(site);
-  refuse_lines(site, heights.field);
-  return heights;
+  if (site.heights.file.empty()) return made_heights(site.heights);
+  try {
+    return read_heights(site.heights);
+  } catch (const InputError& error) {
+    throw InputError(
+        fmt::format("{}: heights.file: {}", site.place_of("heights.file"), error.what()));
+  }
 }
 
 }  // namespace phytobench

@@ -45,7 +45,8 @@ Keys ground_keys() {
        SiteText{"a name of a soil", [](Values& v) -> std::string& { return v.site.ground.soil; }},
        false, true},
       {"ground.file", "-", "\"soils.png\"",
-       "map of soil ids, instead of ground.posterise; as large as the map of heights",
+       "map of soil ids, instead of ground.posterise; as large as the map of heights, and of the "
+       "same ground",
        "[Lesser2019] listing 9.5",
        SiteFileName{[](Values& v) -> std::string& { return v.site.ground.file; }}, false, true},
       {"ground.max_depth", "cm", "150.0", "depth of the soil where the ground is level",
