@@ -111,11 +111,28 @@ TEST_F(TerrainCommand, WritesMapsInEveryFormat) {
     EXPECT_THAT(read("maps/" + std::string(map) + ".svg"), HasSubstr(">N</text>"));
   }
   EXPECT_THAT(read("maps/water.svg"), HasSubstr(">l/m2 a day</text>"));
+  for (const char* map : {"heights", "soil", "normals", "water", "chance-Moss"})
+    EXPECT_THAT(read("maps/" + std::string(map) + ".svg"), HasSubstr(">no data</text>")) << map;
   EXPECT_THAT(read("maps/soil.svg"), HasSubstr(">Stone</text>"));
   EXPECT_THAT(read("maps/water.asc"), HasSubstr("ncols"));
   EXPECT_EQ(line_count(read("maps/chance-Moss.csv")), 12);
   // The summary is the document, which names it, too.
   EXPECT_EQ(json::parse(read("maps/summary.json")), site);
+}
+
+TEST_F(TerrainCommand, LegendsSayWhatIsMissing) {
+  write("heights.csv", "1,2,nan\n3,4,5\n");
+  write("soils.csv", "40,40,40\n40,nan,40\n");
+  std::string text = small_site;
+  const std::string posterised = "posterise = [\"Dirt\", \"Stone\"]";
+  text.replace(text.find(posterised), posterised.size(), "file = \"soils.csv\"");
+  write("holes.toml", text);
+  terrain({"holes.toml", "--out", "maps", "--maps", "svg"});
+  EXPECT_THAT(read("maps/heights.svg"), HasSubstr(">no data</text>"));
+  for (const char* map : {"soil", "chance-Appletree"})
+    EXPECT_THAT(read("maps/" + std::string(map) + ".svg"), HasSubstr(">no data, no soil</text>"));
+  terrain({"--preset", "worked-example", "--out", "full", "--maps", "svg"});
+  EXPECT_EQ(read("full/chance-Appletree.svg").find("no data"), std::string::npos);
 }
 
 TEST_F(TerrainCommand, WritesTheSameBytesForAnyThreads) {

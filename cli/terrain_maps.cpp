@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/contract/errors.hpp"
 #include "core/contract/suggestion.hpp"
@@ -37,6 +38,23 @@ TerrainMap soil_ids(const SiteInput& input) {
   return map;
 }
 
+/// What cells without a number lack: "no data, no soil"; empty if there is a number in all.
+std::string what_is_missing(const SiteInput& input, const TerrainMap& numbers) {
+  bool data = false, soil = false, number = false;
+  for (std::size_t i = 0; i < numbers.values.size(); ++i) {
+    if (!std::isnan(numbers.values[i])) continue;
+    const bool has_data = !std::isnan(input.heights.heights()[i]), has_soil = input.soil_of[i] >= 0;
+    data |= !has_data;
+    soil |= has_data && !has_soil;
+    number |= has_data && has_soil;  // a division by nothing that is left as printed
+  }
+  std::vector<std::string_view> missing;
+  if (data) missing.emplace_back("no data");
+  if (soil) missing.emplace_back("no soil");
+  if (number) missing.emplace_back("no number");
+  return fmt::format("{}", fmt::join(missing, ", "));
+}
+
 MapSheet new_sheet(const Site& site, std::string name, std::string title, std::string unit,
                    const MapPalette& palette, TerrainMap numbers) {
   const HeightField& heights = site.input.heights;
@@ -46,7 +64,8 @@ MapSheet new_sheet(const Site& site, std::string name, std::string title, std::s
                    .bar = {&palette, scale_of(result.numbers.values)},
                    .entries = {},
                    .width_m = heights.columns() * heights.cell_width(),
-                   .depth_m = heights.rows() * heights.cell_depth()};
+                   .depth_m = heights.rows() * heights.cell_depth(),
+                   .without = what_is_missing(site.input, result.numbers)};
   return result;
 }
 
@@ -65,6 +84,7 @@ MapSheet soil_sheet(const Site& site) {
 MapSheet normal_sheet(const Site& site) {
   MapSheet result = new_sheet(site, "normals", "Surface normals", "", height_palette(), {});
   result.legend.bar.palette = nullptr;
+  result.legend.without = what_is_missing(site.input, heights_map(site.input.heights));
   const double half = std::sqrt(0.5);
   result.legend.entries = {{normal_colour(0.0, 0.0, 1.0), "level"},
                            {normal_colour(0.0, -half, half), "45 degrees to the north"},

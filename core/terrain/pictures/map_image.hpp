@@ -27,7 +27,7 @@ MapScale scale_of(std::span<const double> values);
 int thinning(int columns, int rows, int most);
 
 /// A pixel for each cell, or, thinned out, for the first of `every` by `every`; transparent where
-/// there is no number.
+/// there is no number: white is one end of most palettes.
 Image map_image(const TerrainMap& map, const MapScale& scale, const MapPalette& palette,
                 int every = 1);
 

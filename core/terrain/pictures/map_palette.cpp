@@ -53,7 +53,7 @@ Colour kind_colour(std::size_t kind) {
   static const std::array<Colour, 8> colours{parse_colour("#8c564b"), parse_colour("#7f7f7f"),
                                              parse_colour("#bcbd22"), parse_colour("#2ca02c"),
                                              parse_colour("#ff7f0e"), parse_colour("#1f77b4"),
-                                             parse_colour("#9467bd"), parse_colour("#e377c2")};
+                                             parse_colour("#9467bd"), parse_colour("#17becf")};
   return colours[kind % colours.size()];
 }
 

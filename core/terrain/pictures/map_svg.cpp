@@ -37,6 +37,24 @@ MapBox box_of(const MapLegend& legend) {
   return box;
 }
 
+constexpr const char* hatched = "url(#without)";
+
+/// Of stripes across; the image lies on it and lets it through.
+std::string hatch_pattern() {
+  return fmt::format(
+      "<defs><pattern id=\"without\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" "
+      "patternTransform=\"rotate(45)\"><rect width=\"6\" height=\"6\" fill=\"{}\"/>"
+      "<rect width=\"2\" height=\"6\" fill=\"{}\"/></pattern></defs>\n",
+      to_text(hatch_ground()), to_text(hatch_stripe()));
+}
+
+std::string hatched_box(const MapBox& box) {
+  return hatch_pattern() +
+         fmt::format(
+             "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"/>\n",
+             box.left, box.top, box.width, box.height, hatched);
+}
+
 std::string picture(const Image& image, const MapBox& box) {
   return fmt::format(
       "<image x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" "
@@ -70,16 +88,22 @@ std::string colour_bar(const ColourBar& bar, const std::string& unit, double lef
   return svg;
 }
 
-std::string entry_lines(const std::vector<ColourEntry>& entries, double left, double& top) {
+std::string entry_line(const std::string& fill, const std::string& text, double left, double& top) {
+  const std::string svg =
+      fmt::format(
+          "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"12\" height=\"12\" fill=\"{}\" "
+          "stroke=\"#444444\"/>\n",
+          left, top, fill) +
+      svg_text(left + 18.0, top + 10.0, "start", text);
+  top += line_height;
+  return svg;
+}
+
+std::string entry_lines(const MapLegend& legend, double left, double& top) {
   std::string svg;
-  for (const ColourEntry& entry : entries) {
-    svg += fmt::format(
-        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"12\" height=\"12\" fill=\"{}\" "
-        "stroke=\"#444444\"/>\n",
-        left, top, to_text(entry.colour));
-    svg += svg_text(left + 18.0, top + 10.0, "start", entry.text);
-    top += line_height;
-  }
+  for (const ColourEntry& entry : legend.entries)
+    svg += entry_line(to_text(entry.colour), entry.text, left, top);
+  if (!legend.without.empty()) svg += entry_line(hatched, legend.without, left, top);
   return svg;
 }
 
@@ -103,6 +127,14 @@ std::string scale_bar(const MapLegend& legend, const MapBox& box) {
 
 }  // namespace
 
+Colour hatch_ground() {
+  return parse_colour("#ff0055");
+}
+
+Colour hatch_stripe() {
+  return parse_colour("#a3003c");
+}
+
 double scale_bar_length(double width_m) {
   PHYTOBENCH_EXPECT(width_m > 0.0 && std::isfinite(width_m));
   const double most = width_m / 3.0;
@@ -117,10 +149,11 @@ std::string map_svg(const Image& image, const MapLegend& legend) {
   const MapBox box = box_of(legend);
   const double left = box.right() + 16.0;
   double top = box.top;
-  std::string body = picture(image, box) + north_arrow(left, top);
+  std::string body = legend.without.empty() ? "" : hatched_box(box);
+  body += picture(image, box) + north_arrow(left, top);
   top += 48.0;
   if (legend.bar.palette != nullptr) body += colour_bar(legend.bar, legend.unit, left, top);
-  body += entry_lines(legend.entries, left, top);
+  body += entry_lines(legend, left, top);
   body += scale_bar(legend, box);
   const double height = std::max(box.bottom() + footer_height, top + margin);
   const std::string title = escaped_for_svg(legend.title);

@@ -30,7 +30,14 @@ struct MapLegend {
   std::vector<ColourEntry> entries;
   double width_m = 0.0;  ///< of the whole map, from west to east
   double depth_m = 0.0;  ///< from north to south
+  /// What it means where the image is transparent: "no data". Such cells are hatched, in colours
+  /// that no palette has, since white is one end of most. Empty: there are none.
+  std::string without;
 };
+
+/// Of these hatches: ground and stripes.
+Colour hatch_ground();
+Colour hatch_stripe();
 
 /// The map with title, legend, scale bar and an arrow towards north, which is up. The image is
 /// stretched to the map's true proportions.

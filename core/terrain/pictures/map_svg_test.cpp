@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/terrain/pictures/map_svg.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -45,6 +49,44 @@ TEST(MapSvg, ListsKinds) {
   EXPECT_THAT(svg, HasSubstr("fill=\"#ff0000\""));
   EXPECT_THAT(svg, HasSubstr(">Stone</text>"));
   EXPECT_THAT(svg, testing::Not(HasSubstr("1.75")));
+}
+
+TEST(MapSvg, HatchesWhatIsNotThereAndSaysWhatItMeans) {
+  MapLegend legend = legend_of_water();
+  EXPECT_THAT(map_svg(Image(2, 2), legend), testing::Not(HasSubstr("url(#without)")));
+  legend.without = "no data";
+  const std::string svg = map_svg(Image(2, 2), legend);
+  const std::size_t hatches = svg.find("height=\"320.0\" fill=\"url(#without)\"");
+  ASSERT_NE(hatches, std::string::npos);
+  EXPECT_LT(hatches, svg.find("<image"));  // below, where the image lets it through
+  EXPECT_LT(svg.find("height=\"12\" fill=\"url(#without)\""), svg.find(">no data</text>"));
+}
+
+double colour_distance(const Colour& a, const Colour& b) {
+  return std::hypot(a.red - b.red, a.green - b.green, a.blue - b.blue);
+}
+
+/// Of what a map can show, to the nearer of both hatches.
+double distance_to_hatches(const Colour& colour) {
+  return std::min(colour_distance(colour, hatch_ground()), colour_distance(colour, hatch_stripe()));
+}
+
+TEST(MapSvg, HatchesAreUnlikeEveryColourOfAMap) {
+  constexpr double unlike = 0.3;  // of 1 from black to a full red
+  for (const MapPalette* palette :
+       {&insolation_palette(), &soil_depth_palette(), &hydrology_palette(), &probability_palette(),
+        &height_palette()})
+    for (int i = 0; i <= 100; ++i) EXPECT_GT(distance_to_hatches(palette->at(i / 100.0)), unlike);
+  for (std::size_t kind = 0; kind < 8; ++kind)
+    EXPECT_GT(distance_to_hatches(kind_colour(kind)), unlike) << kind;
+  for (int slope = 0; slope <= 75; slope += 5)
+    for (int azimuth = 0; azimuth < 360; azimuth += 5) {
+      const double level = std::sin(slope * std::numbers::pi / 180.0),
+                   up = std::cos(slope * std::numbers::pi / 180.0),
+                   angle = azimuth * std::numbers::pi / 180.0;
+      const Colour colour = normal_colour(level * std::cos(angle), level * std::sin(angle), up);
+      EXPECT_GT(distance_to_hatches(colour), unlike) << slope << " " << azimuth;
+    }
 }
 
 TEST(MapSvg, ScaleBarsAreRound) {
