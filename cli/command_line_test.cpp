@@ -31,6 +31,13 @@ TEST_F(CommandLine, RefusesWrongUsageInOneLine) {
   expect_refused({"grow", "--engine"}, 2, "--engine");
   expect_refused({"run", "--threads", "0"}, 2, "--threads");
   expect_refused({"run", "--seed", "one"}, 2, "--seed");
+  expect_refused({"terrain", "--presett", "fractal"}, 2,
+                 "did you mean '--preset'? (phytobench terrain --help)");
+  expect_refused({"race", "shadow", "--sizes=3"}, 2,
+                 "did you mean '--size'? (phytobench race shadow --help)");
+  // A list is one word: what follows is not taken for more of it.
+  expect_refused({"race", "overlap", "--engines", "all", "more"}, 2, "not expected: more");
+  expect_refused({"race", "competition", "--threads", "1", "2"}, 2, "not expected: 2");
 }
 
 TEST_F(CommandLine, FailsOnAFullDisk) {

@@ -49,10 +49,32 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
   throw InputError("unknown command '" + first + "'" + did_you_mean(first, names) + known);
 }
 
+/// The last of a chain such as race, shadow.
+const CLI::App& chosen_command(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? app : chosen_command(*chosen.front());
+}
+
+/// What the library has to say, what may have been meant, and whose help says more.
+std::string wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = chosen_command(app);
+  std::string text = error.what();
+  std::vector<std::string> options;
+  for (const CLI::Option* option : command.get_options()) options.push_back(option->get_name());
+  const std::vector<std::string> extras = command.remaining();
+  const auto unknown = std::find_if(extras.begin(), extras.end(),
+                                    [](const std::string& word) { return word.starts_with("--"); });
+  if (unknown != extras.end())
+    text += did_you_mean(unknown->substr(0, unknown->find('=')), options);
+  std::string name = command.get_name();
+  for (const CLI::App* above = command.get_parent(); above != nullptr; above = above->get_parent())
+    name = above->get_name() + " " + name;
+  return fmt::format("{} ({} --help)", text, name);
+}
+
 /// Help of the subcommand that was asked for it, or of the program.
 std::string help_of(const CLI::App& app) {
-  const auto chosen = app.get_subcommands();
-  return chosen.empty() ? app.help() : help_of(*chosen.front());
+  return chosen_command(app).help();
 }
 
 int run_command_line(int argc, char** argv) {
@@ -94,7 +116,7 @@ int run_command_line(int argc, char** argv) {
       print(version ? std::string(error.what()) + "\n" : help_of(app));
       return ok;
     }
-    throw InputError(std::string(error.what()) + " (phytobench --help)");
+    throw InputError(wrong_usage(app, error));
   }
   return commands.chosen();
 }

@@ -209,6 +209,15 @@ TEST_F(TerrainCommand, PlantsThatNeedNothingGrow) {
   EXPECT_EQ(weed["suitable"][2]["m2"], weed["with_data_m2"]);
 }
 
+TEST_F(TerrainCommand, AListIsOneWord) {
+  // The site may stand behind it, and a space behind a comma.
+  for (const Words& words :
+       {Words{"--species", "Moss", "site.toml"}, Words{"site.toml", "--species", "Moss,"}})
+    EXPECT_EQ(terrain(words)["species"].size(), 1u);
+  EXPECT_EQ(terrain({"--species", "Appletree, Moss", "site.toml"})["species"].size(), 2u);
+  EXPECT_EQ(terrain({"--out", "maps", "--maps", "none", "site.toml"})["files"].size(), 1u);
+}
+
 TEST_F(TerrainCommand, TheExampleCanBeUsed) {
   write("example.toml", output_of({"terrain", "--example"}));
   EXPECT_GE(terrain({"example.toml"})["species"].size(), 6u);
@@ -224,6 +233,9 @@ TEST_F(TerrainCommand, RefusesWrongOptions) {
   expect_refused_line("terrain site.toml --species Appeltree", "did you mean 'Appletree'?");
   expect_refused_line("terrain site.toml --out x --maps jpg", "--maps jpg: unknown format");
   expect_refused_line("terrain site.toml --plants 10", "--plants needs --out");
+  expect_refused_line("terrain site.toml --maps png", "--maps needs --out");
+  for (const char* option : {"--out", "--as-printed", "--preset", "--engine", "--plants"})
+    expect_refused({"terrain", "site.toml", option, ""}, 2, std::string(option) + ": a ");
   for (const char* plants : {"x", "0", "-5", "nan", "1e9", "10/km", "/ha"})
     expect_refused_line(std::string("terrain site.toml --out x --plants=") + plants, "--plants");
   expect_refused_line("terrain site.toml --engine bounded", "bounded_sweep");

@@ -88,4 +88,9 @@ inline std::string some_name(const std::string& text) {
   return text.empty() ? "a name is missing; give one, or leave the option out" : "";
 }
 
+/// For options that mean nothing without a value: what is wrong with the text.
+inline std::string some_value(const std::string& text) {
+  return text.empty() ? "a value is missing; give one, or leave the option out" : "";
+}
+
 }  // namespace phytobench::cli

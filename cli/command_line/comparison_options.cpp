@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command_line/command_line.hpp"
+#include "cli/command_line/list_options.hpp"
 #include "core/contract/errors.hpp"
 
 namespace phytobench::cli {
@@ -37,9 +38,8 @@ void add_compare(CLI::App& app, Commands& commands) {
                   "A git revision, a build folder, a plugin (.so) or a stored result (.json)")
       ->required();
   sub->add_option("new", options.other, "The same; it is slower or faster than base")->required();
-  sub->add_option("--benchmarks", options.benchmarks, "Names or globs; comma-separated")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  as_one_list_of_names(
+      sub->add_option("--benchmarks", options.benchmarks, "Names or globs; comma-separated"));
   sub->add_option("--tolerance", options.tolerance_percent,
                   "Per cent that do not matter (default: 3; 10 with a stored result)");
   sub->add_option("--budget", options.budget_s, "Seconds of timing, roughly")

@@ -9,17 +9,17 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command_line/command_line.hpp"
+#include "cli/command_line/list_options.hpp"
 
 namespace phytobench::cli {
 
 inline void add_names(CLI::App& race, const std::string& option, std::vector<std::string>& names,
                       const std::string& help) {
-  race.add_option(option, names, help)->delimiter(',')->capture_default_str();
+  as_one_list_of_names(race.add_option(option, names, help))->capture_default_str();
 }
 
 inline void add_thread_counts(CLI::App& race, std::vector<int>& threads, const std::string& help) {
-  race.add_option("--threads", threads, help)
-      ->delimiter(',')
+  as_one_list_of_names(race.add_option("--threads", threads, help))
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));
 }

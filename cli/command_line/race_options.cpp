@@ -35,9 +35,9 @@ void add_nearest_node_race(CLI::App& race, Commands& commands) {
   add_rounds_or_none(*sub, options.rounds);
   add_seed(*sub, options.seed, "Of the cloud and the order of timing");
   sub->add_option("--cloud", options.cloud, "CSV file with your own points: columns x, y, z");
-  sub->add_option("--plugin", options.plugins,
-                  "Engines from outside: shared libraries (phytobench_engine.h); comma-separated")
-      ->delimiter(',');
+  as_one_list(sub->add_option("--plugin", options.plugins,
+                              "Engines from outside: shared libraries (phytobench_engine.h); "
+                              "comma-separated"));
   sub->add_option("--plugin-limit", options.plugin_limit,
                   "Seconds that a single call of a plugin may take")
       ->capture_default_str()
@@ -92,8 +92,8 @@ void add_hopkins_race(CLI::App& race, Commands& commands) {
 void add_competition_race(CLI::App& race, Commands& commands) {
   CompetitionRaceOptions& options = commands.competition_race;
   CLI::App* sub = race.add_subcommand("competition", "Rules of competition: one step of a stand");
-  sub->add_option("--plants", options.plants, "How many; several sizes give the growth of time")
-      ->delimiter(',')
+  as_one_list_of_names(sub->add_option("--plants", options.plants,
+                                       "How many; several sizes give the growth of time"))
       ->capture_default_str()
       ->check(CLI::Range(2.0, 2e7));
   sub->add_option("--pairs", options.pairs, "Overlapping pairs of root zones for each plant")

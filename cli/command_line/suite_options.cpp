@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command_line/command_line.hpp"
+#include "cli/command_line/list_options.hpp"
 
 namespace phytobench::cli {
 
@@ -12,8 +13,8 @@ void add_list(CLI::App& app, Commands& commands) {
       app.add_subcommand("list", "What there is: papers, claims, experiments, engines, rules");
   sub->add_option(
       "what", commands.list.what,
-      "papers, claims, experiments, engines, overlap-engines, presets, stands or rules; "
-      "all counted without it");
+      "papers, claims, errata, experiments, engines, presets or another kind; all counted without "
+      "it");
   sub->add_flag("--json", commands.list.json, "One JSON document");
   sub->callback([&] { commands.chosen = [&] { return list(commands.list); }; });
 }
@@ -45,9 +46,8 @@ void add_report(CLI::App& app, Commands& commands) {
   sub->add_option("--out", options.out,
                   "Folder for the report, in place of an earlier one there (default: "
                   "<folder>/report; needed for several runs)");
-  sub->add_option("--format", options.formats, "html, md, latex, csv, junit; comma-separated")
-      ->delimiter(',')
-      ->allow_extra_args(false)
+  as_one_list_of_names(
+      sub->add_option("--format", options.formats, "html, md, latex, csv, junit; comma-separated"))
       ->capture_default_str();
   sub->add_flag("--without-varying", options.without_varying,
                 "Leave out what differs between equal runs: times, machine");
