@@ -113,7 +113,7 @@ class SiteFileReader {
   [[noreturn]] static void refuse_unknown(const TomlValue& value) {
     std::vector<std::string> known;
     for (const SiteKey& key : site_keys()) known.emplace_back(key.name);
-    value.fail(unknown_key(value.name, known, "phytobench terrain"));
+    value.fail(unknown_key(value.name, known, "phytobench terrain --example"));
   }
 
   void refuse_keys_of_others() const {

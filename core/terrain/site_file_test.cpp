@@ -168,7 +168,8 @@ TEST_F(SiteFile, EveryWrongValueIsRefusedWithItsPlace) {
   const std::vector<WrongSite> wrong{
       {"ground.max_depth = -1", "ground.max_depth = -1 is not allowed"},
       {"ground.max_depth = nan", "is not allowed"},
-      {"ground.maxdepth = 1", "did you mean 'ground.max_depth'?"},
+      {"ground.maxdepth = 1",
+       "did you mean 'ground.max_depth'? (phytobench terrain --example lists all keys)"},
       {"climate.neighbour_share = 1.5", "is not allowed; give a number >= 0 and <= 1"},
       {"heights.columns = 2.5", "whole"},
       {"heights.columns = 0", "is not allowed"},
