@@ -61,9 +61,9 @@ TEST_F(CommandLine, ExaminesTheMachine) {
 
 // list
 
-const Words kinds = {"papers",  "claims",       "experiments",    "engines",  "overlap-engines",
-                     "presets", "graphs",       "components",     "lsystems", "stands",
-                     "sites",   "site-entries", "shadow-engines", "rules"};
+const Words kinds = {"papers",          "claims",  "errata",       "experiments",    "engines",
+                     "overlap-engines", "presets", "graphs",       "components",     "lsystems",
+                     "stands",          "sites",   "site-entries", "shadow-engines", "rules"};
 
 TEST_F(CommandLine, ListsEveryKindWithUniqueIdsAndSummaries) {
   for (const std::string& kind : kinds) {
@@ -99,6 +99,17 @@ TEST_F(CommandLine, ListsNoPublishedValues) {
   const json document = json_of({"list", "claims", "--json"}, "phytobench/list-1");
   ASSERT_FALSE(document.at("entries").empty());
   for (const json& entry : document.at("entries")) EXPECT_FALSE(entry.contains("published"));
+}
+
+TEST_F(CommandLine, ListsWhatAMapCanShowAsPrinted) {
+  const json document = json_of({"list", "errata", "--json"}, "phytobench/list-1");
+  std::set<std::string> ids;
+  for (const json& entry : document.at("entries"))
+    if (entry.at("as_printed").get<bool>()) ids.insert(entry.at("id").get<std::string>());
+  EXPECT_EQ(ids.size(), 18u);
+  EXPECT_TRUE(ids.contains("lesser2019/e16"));
+  EXPECT_FALSE(ids.contains("alsweis/e1"));
+  EXPECT_THAT(output_of({"list", "errata"}), HasSubstr("listing 9.16: evaporated litres"));
 }
 
 TEST_F(CommandLine, RefusesAnUnknownKind) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cctype>
 #include <functional>
 
 #include <fmt/format.h>
@@ -15,7 +16,9 @@
 #include "core/overlap/overlap_registry.hpp"
 #include "core/terrain/shadow/shadow_registry.hpp"
 #include "experiments/experiment_registry.hpp"
+#include "reference/errata.hpp"
 #include "reference/graph_presets.hpp"
+#include "reference/lesser2019_switches.hpp"
 #include "reference/lsystem_presets.hpp"
 #include "reference/papers.hpp"
 #include "reference/site_presets.hpp"
@@ -51,6 +54,27 @@ ordered_json claims() {
                     {"locator", claim.locator},
                     {"tier", claim.tier},
                     {"summary", claim.text}});
+  return rows;
+}
+
+/// Of all papers; which of them `terrain --as-printed` can leave in is said, too.
+ordered_json errata() {
+  ordered_json rows = ordered_json::array();
+  for (const std::string& paper : paper_keys())
+    for (const Erratum& erratum : load_errata(paper)) {
+      std::string id = paper + "/" + erratum.id;
+      for (char& c : id) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      rows.push_back({{"id", id},
+                      {"locator", erratum.locator},
+                      {"printed", erratum.printed},
+                      {"corrected", erratum.corrected},
+                      {"consequence", erratum.consequence},
+                      {"as_printed", paper == "lesser2019" && can_be_left_in(erratum.id)},
+                      {"summary", fmt::format("{}: {}; {}: {}", erratum.locator, erratum.printed,
+                                              erratum.kind == ErratumKind::program ? "the program"
+                                                                                   : "corrected",
+                                              erratum.corrected)}});
+    }
   return rows;
 }
 
@@ -159,6 +183,7 @@ struct Kind {
 };
 constexpr Kind kinds[] = {{"papers", papers},
                           {"claims", claims},
+                          {"errata", errata},
                           {"experiments", experiments},
                           {"engines", engines},
                           {"overlap-engines", overlap_engines},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <vector>
 
 #include <fmt/format.h>
@@ -53,7 +54,26 @@ const LesserEntry& entry_of(LesserErratum erratum) {
   throw ContractViolation("an erratum of lesser2019 has no entry");
 }
 
-void switch_on(const std::string& word, LesserSwitches& switches) {
+std::string ids_of_source(LesserSource source) {
+  std::vector<std::string_view> ids;
+  for (const LesserEntry& entry : lesser_entries)
+    if (entry.source == source) ids.push_back(entry.id);
+  return fmt::format("{}", fmt::join(ids, ", "));
+}
+
+/// In small letters, without spaces around it.
+std::string plain_word(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string_view::npos) return "";
+  std::string word(text.substr(first, text.find_last_not_of(' ') + 1 - first));
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return word;
+}
+
+void switch_on(const std::string& text, LesserSwitches& switches) {
+  const std::string word = plain_word(text);
+  if (word == "none")
+    throw InputError("none leaves nothing as printed; give it alone, or leave it out");
   if (word == "all")
     for (const LesserEntry& entry : lesser_entries)
       if (entry.source == LesserSource::listing) switches.printed.insert(entry.erratum);
@@ -63,15 +83,15 @@ void switch_on(const std::string& word, LesserSwitches& switches) {
   }
   std::string known;
   for (const LesserEntry& entry : lesser_entries) {
-    if (word == entry.id || word == entry.name) {
+    if (word == plain_word(entry.id) || word == entry.name) {
       switches.printed.insert(entry.erratum);
       return;
     }
     known += fmt::format("{} ({}), ", entry.id, entry.name);
   }
-  throw InputError(
-      fmt::format("'{}' is no erratum that a map can show; write none, all, or of {}{}", word,
-                  known, rounding_name));
+  throw InputError(fmt::format(
+      "'{}' is no erratum that a map can show; write none, all (without {}), or of {}{}", text,
+      left_out_of_all(), known, rounding_name));
 }
 
 }  // namespace
@@ -84,9 +104,19 @@ std::string_view name_of(LesserErratum erratum) {
   return entry_of(erratum).name;
 }
 
+bool can_be_left_in(std::string_view id) {
+  return std::any_of(lesser_entries.begin(), lesser_entries.end(),
+                     [&](const LesserEntry& entry) { return entry.id == id; });
+}
+
+std::string left_out_of_all() {
+  return fmt::format("{}, which only the text has, and {}, which only saved maps have",
+                     ids_of_source(LesserSource::text), ids_of_source(LesserSource::image));
+}
+
 LesserSwitches lesser_switches(const std::string& text) {
   LesserSwitches switches;
-  if (text == "none") return switches;
+  if (plain_word(text) == "none") return switches;
   std::size_t from = 0;
   while (from <= text.size()) {
     const std::size_t comma = std::min(text.find(',', from), text.size());

@@ -44,10 +44,16 @@ struct LesserSwitches {
 std::string_view id_of(LesserErratum erratum);
 std::string_view name_of(LesserErratum erratum);
 
-/// "none", or with commas between them: ids, names, "rounded-sun", "all". "all" is the program as
-/// its listings have it: without E02, E14, E15 and E21, which only the text has, and without E22
-/// and E23, which only maps have that were saved and loaded again. With the directions rounded.
-/// Throws InputError naming those that there are.
+/// Whether a map can show the erratum with this id of lesser2019.
+bool can_be_left_in(std::string_view id);
+
+/// "E02, E14, E15, E21, which only the text has, and E22, E23, which only saved maps have".
+std::string left_out_of_all();
+
+/// "none", or with commas between them: ids, names, "rounded-sun", "all"; capitals and spaces
+/// around do not matter. "all" is the program as its listings have it: without E02, E14, E15 and
+/// E21, which only the text has, and without E22 and E23, which only maps have that were saved and
+/// loaded again. With the directions rounded. Throws InputError naming those that there are.
 LesserSwitches lesser_switches(const std::string& text);
 
 /// The other way round: "none", "E13,E16", "E01,rounded-sun".
