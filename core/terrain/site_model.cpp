@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/contract/check.hpp"
 #include "core/contract/errors.hpp"
 #include "core/geometry/vector3.hpp"
@@ -124,11 +126,15 @@ void check_losses(const Biome& biome) {
   for (const double percent :
        {biome.cloud_percent, biome.absorption_percent, biome.diffusion_percent})
     if (!(percent >= 0.0))
-      throw InputError("biome '" + biome.name + "': a loss of " + std::to_string(percent) +
-                       " percent; give shares of the sun's energy, 0 to 100");
+      throw InputError(fmt::format(
+          "biome '{}': a loss of {:g} percent; give shares of the sun's energy, 0 to 100",
+          biome.name, percent));
   if (!(sum <= 100.0))
-    throw InputError("biome '" + biome.name + "': clouds, absorption and diffusion take " +
-                     std::to_string(sum) + " percent of the sun's energy; at most 100 are there");
+    throw InputError(
+        fmt::format("biome '{}': clouds, absorption and diffusion take {:g} percent of the sun's "
+                    "energy; at most "
+                    "100 are there",
+                    biome.name, sum));
 }
 
 }  // namespace phytobench
