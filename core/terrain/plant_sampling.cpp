@@ -165,10 +165,14 @@ void throw_until(DartThrower& darts, double number) {
     misses = darts.threw() ? 0 : misses + 1;
 }
 
+double number_on_hectares(double total_chance, const HeightField& heights, double per_hectare) {
+  const double hectares =
+      total_chance * heights.cell_width() * heights.cell_depth() / square_metres_per_hectare;
+  return std::round(per_hectare * hectares);
+}
+
 void throw_on_hectares(DartThrower& darts, const HeightField& heights, double per_hectare) {
-  const double hectares = darts.total_chance() * heights.cell_width() * heights.cell_depth() /
-                          square_metres_per_hectare;
-  const double wanted = std::round(per_hectare * hectares);
+  const double wanted = number_on_hectares(darts.total_chance(), heights, per_hectare);
   if (wanted > most_sampled_plants)
     throw InputError(fmt::format(
         "{:g} plants for each hectare are {:g} on this map; ask for fewer (at most {:g})",
@@ -193,6 +197,12 @@ std::vector<SampledPlant> sampled_plants(const HeightField& heights,
   else
     throw_until(darts, sampling.number);
   return darts.plants();
+}
+
+double sampled_number(const HeightField& heights, std::span<const SampledSpecies> species,
+                      const PlantSampling& sampling) {
+  if (!sampling.is_per_hectare) return sampling.number;
+  return number_on_hectares(ChanceDraw(species).total(), heights, sampling.number);
 }
 
 std::string sampled_plants_csv(const HeightField& heights, std::span<const SampledPlant> plants,

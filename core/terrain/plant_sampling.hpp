@@ -45,6 +45,10 @@ std::vector<SampledPlant> sampled_plants(const HeightField& heights,
                                          std::span<const SampledSpecies> species,
                                          const PlantSampling& sampling);
 
+/// Plants that are wanted, or darts that are thrown.
+double sampled_number(const HeightField& heights, std::span<const SampledSpecies> species,
+                      const PlantSampling& sampling);
+
 /// A species in the table of plants.
 struct PlantColumns {
   std::string_view name;

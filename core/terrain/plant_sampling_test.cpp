@@ -77,6 +77,14 @@ TEST_F(PlantSamplingOnGround, IsTheSameForTheSameSeedAndAnotherForAnother) {
   EXPECT_EQ(more, fewer);
 }
 
+TEST_F(PlantSamplingOnGround, SaysHowManyAreWanted) {
+  const std::array<SampledSpecies, 2> species{SampledSpecies{&trees_, 6.0},
+                                              SampledSpecies{&herbs_, 1.5}};
+  EXPECT_EQ(sampled_number(heights_, species, {.number = 1e6}), 1e6);
+  // 199 cells with 0.8 and 100 with 0.5, of 20 m2 each: 0.4184 hectares.
+  EXPECT_EQ(sampled_number(heights_, species, {.number = 100.0, .is_per_hectare = true}), 42.0);
+}
+
 TEST_F(PlantSamplingOnGround, EndsWhereThereIsNoRoomAndWithoutAnyChance) {
   const auto plants = sampled({.number = 1e6});
   EXPECT_LT(plants.size(), 2000u);  // 800 herbs stand 1.5 m apart in 2000 m2 at most
