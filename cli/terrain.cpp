@@ -12,6 +12,7 @@
 #include "cli/terrain_folder.hpp"
 #include "cli/terrain_maps.hpp"
 #include "cli/terrain_plants.hpp"
+#include "cli/terrain_settings.hpp"
 #include "cli/terrain_shadows.hpp"
 #include "core/contract/errors.hpp"
 #include "core/memory/keep_freed_memory.hpp"
@@ -103,9 +104,10 @@ class TerrainRun {
     if (sampling_) place_plants(chances);
     begin_stage("writing");
     if (!writes()) return;
+    folder_.add({{"settings.toml", terrain_settings_file(description_, site_, options_)}});
     findings_.files = folder_.names();
     findings_.older_files = folder_.older_files();
-    folder_.write(terrain_json(site_, findings_, options_),
+    folder_.write(document(),
                   {description_.file, description_.heights.file, description_.ground.file});
   }
 
@@ -117,12 +119,13 @@ class TerrainRun {
   }
 
   std::string shown() const {
-    return options_.json ? terrain_json(site_, findings_, options_)
-                         : terrain_text(site_, findings_, options_);
+    return options_.json ? document() : terrain_text(site_, findings_, options_);
   }
 
  private:
   bool writes() const { return !options_.out.empty(); }
+
+  std::string document() const { return terrain_json({description_, site_, findings_, options_}); }
 
   void add(const MapSheet& sheet) {
     begin_stage("map " + sheet.name);
@@ -144,6 +147,7 @@ class TerrainRun {
     findings_.engine = model_.engine;
     findings_.as_printed = model_.as_printed;
     findings_.biome_source = biome_named(description_, description_.biome).source;
+    findings_.soils = soil_findings(description_, site_);
     findings_.height = range_of(
         {heights.columns(), heights.rows(), {heights.heights().begin(), heights.heights().end()}});
     findings_.slope = range_of(maps_.slope);
@@ -159,7 +163,7 @@ class TerrainRun {
     ChanceMaps chances =
         chance_maps(site_.input, maps_, species.entry, *model_.model, site_.options);
     findings_.species.push_back(species_findings(site_.input.heights, species, chances));
-    if (writes()) add(chance_sheet(site_, species.entry.name, chances.chance));
+    if (writes()) add(chance_sheet(site_, species, chances.chance, findings_.biome_source));
     return sampling_ ? std::move(chances.chance) : TerrainMap();
   }
 
@@ -168,6 +172,7 @@ class TerrainRun {
     const PlacedPlants placed = placed_plants(site_, chances, *sampling_);
     for (std::size_t i = 0; i < placed.counts.size(); ++i)
       findings_.species[i].plants = placed.counts[i];
+    findings_.wanted_plants = placed.wanted;
     folder_.add(placed.files);
   }
 

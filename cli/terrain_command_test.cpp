@@ -96,6 +96,51 @@ TEST_F(TerrainCommand, SaysTheSameInWords) {
     EXPECT_THAT(text, HasSubstr(part));
 }
 
+TEST_F(TerrainCommand, PrintsTheChanceOfTheWorkedExample) {
+  EXPECT_THAT(output_of({"terrain", "--preset", "worked-example", "--as-printed", "E07,E13,E16"}),
+              HasSubstr("   0.45045   0.45045   0.45045\n"));
+}
+
+TEST_F(TerrainCommand, SaysWhereNumbersAreFrom) {
+  const std::string soils =
+      "soils Dirt ([Lesser2019] listing 9.4), Stone (albedo: [Lesser2019] fig. 4.6; id and water: "
+      "assumed)";
+  EXPECT_THAT(output_of({"terrain", "site.toml", "--out", "maps"}), HasSubstr(soils));
+  EXPECT_THAT(read("maps/chance-Moss.svg"),
+              HasSubstr(">Moss: [Lesser2019] fig. 10.2; TemperateZone: assumed</text>"));
+  const json site = terrain({"site.toml"});
+  ASSERT_EQ(site["soils"].size(), 2u);
+  EXPECT_EQ(site["soils"][0]["source"], "[Lesser2019] listing 9.4");
+  EXPECT_EQ(site["soils"][0]["m2"].get<double>() + site["soils"][1]["m2"].get<double>(),
+            191 * 400.0);
+}
+
+TEST_F(TerrainCommand, SaysWhichNumbersAreTheUsers) {
+  write("mine.toml", std::string(small_site) +
+                         "[[biome]]\nname = \"TemperateZone\"\nabsorption = 20\ndiffusion = 10\n"
+                         "clouds = 30\nrain = 3\ngroundwater = 1\n"
+                         "[[species]]\nname = \"Moss\"\nenergy_demand = 10\nwater_demand = 1\n"
+                         "soil = \"\"\nsoil_depth = 1\n");
+  const std::string text = output_of({"terrain", "mine.toml"});
+  for (const char* part : {"biome TemperateZone (yours)", "\nMoss: yours\n"})
+    EXPECT_THAT(text, HasSubstr(part));
+  EXPECT_TRUE(terrain({"mine.toml"})["biome_source"].is_null());
+}
+
+TEST_F(TerrainCommand, SaysWhatAllLeavesOut) {
+  const std::string text = output_of({"terrain", "site.toml", "--as-printed", "all"});
+  EXPECT_THAT(text,
+              HasSubstr("; E02, E14, E15, E21, which only the text has, and E22, E23, which"));
+  expect_refused_line("terrain site.toml --as-printed E99", "all (without E02,");
+  expect_refused_line("terrain site.toml --as-printed none,E16", "none leaves nothing as printed");
+  EXPECT_EQ(terrain({"site.toml", "--as-printed", "e16"})["as_printed"], "E16");
+}
+
+TEST_F(TerrainCommand, AnHourIsOne) {
+  write("short.toml", std::string(small_site) + "hours = 1\nstart_elevation = 40.0\n");
+  EXPECT_THAT(output_of({"terrain", "short.toml"}), HasSubstr(", 1 hour of sun at 1 position, "));
+}
+
 TEST_F(TerrainCommand, WritesMapsInEveryFormat) {
   const json site = terrain({"site.toml", "--out", "maps", "--maps", "png,svg,asc,csv"});
   for (const json& file : site["files"])
@@ -173,10 +218,39 @@ TEST_F(TerrainCommand, CompeteTakesItsPlantsOver) {
   for (const json& species : stand["species"]) start += species["start"].get<std::uint64_t>();
   EXPECT_EQ(start, 200u);
   EXPECT_EQ(stand["ground"]["size"], (json{320.0, 240.0}));
-  EXPECT_EQ(site["files"].size(), 3u);
+  EXPECT_EQ(site["files"].size(), 4u);
   // What the run starts from lies beside what it leaves.
   EXPECT_EQ(read("grown/placed.csv"), read("site/placed.csv"));
   EXPECT_TRUE(exists("grown/plants.csv"));
+  EXPECT_EQ(site["plants"]["placed"], 200);
+}
+
+TEST_F(TerrainCommand, SaysThatThereAreFewerPlantsThanAsked) {
+  const Words crowd{"terrain", "--preset", "worked-example", "--out",    "crowd",
+                    "--maps",  "none",     "--species",      "Appletree"};
+  const auto placed = [&](const char* plants) {
+    Words words = crowd;
+    words.insert(words.end(), {"--plants", plants});
+    return output_of(words);
+  };
+  EXPECT_THAT(placed("100000"), HasSubstr(" of 100000; no room for more)\n"));
+  EXPECT_THAT(placed("50"), HasSubstr("placed, seed 0: 50 Appletree\n"));
+  EXPECT_THAT(placed("100000/ha"), HasSubstr(" darts found room)\n"));
+  const json plants = json::parse(read("crowd/summary.json"))["plants"];
+  EXPECT_EQ(plants["asked"], "100000/ha");
+  EXPECT_LT(plants["placed"].get<double>(), plants["wanted"].get<double>());
+}
+
+TEST_F(TerrainCommand, WritesNoStandWithoutPlants) {
+  EXPECT_THAT(
+      output_of({"terrain", "--preset", "worked-example", "--out", "none", "--maps", "none",
+                 "--species", "Moss", "--plants", "100"}),
+      HasSubstr("\nno plants: there is no chance to grow anywhere; there is no placed.csv"));
+  EXPECT_THAT(output_of({"terrain", "--preset", "worked-example", "--out", "none", "--maps", "none",
+                         "--plants", "0.1/ha"}),
+              HasSubstr("\nno plants: --plants 0.1/ha is less than one on this map"));
+  EXPECT_FALSE(exists("none/placed.csv"));
+  EXPECT_FALSE(exists("none/stand.toml"));
 }
 
 TEST_F(TerrainCommand, MapsOfTwoRowsAndMostlyWithoutDataWork) {
@@ -215,7 +289,7 @@ TEST_F(TerrainCommand, AListIsOneWord) {
        {Words{"--species", "Moss", "site.toml"}, Words{"site.toml", "--species", "Moss,"}})
     EXPECT_EQ(terrain(words)["species"].size(), 1u);
   EXPECT_EQ(terrain({"--species", "Appletree, Moss", "site.toml"})["species"].size(), 2u);
-  EXPECT_EQ(terrain({"--out", "maps", "--maps", "none", "site.toml"})["files"].size(), 1u);
+  EXPECT_EQ(terrain({"--out", "maps", "--maps", "none", "site.toml"})["files"].size(), 2u);
 }
 
 TEST_F(TerrainCommand, TheExampleCanBeUsed) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/terrain/site_checks.hpp"
+
 namespace phytobench::cli {
 
 MapRange range_of(const TerrainMap& map) {
@@ -21,6 +23,28 @@ MapRange range_of(const TerrainMap& map) {
   if (range.cells == 0) return {none, none, none, 0};
   range.mean = sum / static_cast<double>(range.cells);
   return range;
+}
+
+std::vector<SoilFindings> soil_findings(const SiteDescription& description, const Site& site) {
+  const HeightField& heights = site.input.heights;
+  std::vector<std::size_t> cells(site.input.soils.size());
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    if (const int soil = site.input.soil_of[i]; soil >= 0 && !std::isnan(heights.heights()[i]))
+      ++cells[static_cast<std::size_t>(soil)];
+  std::vector<SoilFindings> soils;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (cells[i] == 0) continue;
+    const std::string& name = site.input.soils[i].name;
+    soils.push_back({name, soil_named(description, name, "ground").source,
+                     static_cast<double>(cells[i]) * heights.cell_width() * heights.cell_depth()});
+  }
+  return soils;
+}
+
+std::uint64_t placed_plants_of(const TerrainFindings& findings) {
+  std::uint64_t placed = 0;
+  for (const SpeciesFindings& species : findings.species) placed += species.plants;
+  return placed;
 }
 
 SpeciesFindings species_findings(const HeightField& heights, const SiteEntry<SitePlant>& species,

@@ -10,6 +10,7 @@
 
 #include "cli/commands.hpp"
 #include "core/terrain/site.hpp"
+#include "core/terrain/site_description.hpp"
 
 namespace phytobench::cli {
 
@@ -29,6 +30,13 @@ struct MapRange {
 /// Of the numbers that there are.
 MapRange range_of(const TerrainMap& map);
 
+/// A soil that occurs.
+struct SoilFindings {
+  std::string name;
+  std::string source;
+  double m2 = 0.0;
+};
+
 struct SpeciesFindings {
   std::string name;
   std::string source;
@@ -46,10 +54,25 @@ struct TerrainFindings {
   std::string engine;
   std::string as_printed;  ///< errata; empty: none
   std::string biome_source;
+  std::vector<SoilFindings> soils;
   MapRange height, slope, lit_hours, raw_energy, energy, soil_depth, water;
   std::vector<SpeciesFindings> species;
+  double wanted_plants = 0.0;  ///< or darts, if so many are for each hectare
   std::vector<std::string> files;
   std::vector<std::string> older_files;  ///< of earlier runs, in the same folder
+};
+
+/// Those on which there are heights, in the order of the site's soils.
+std::vector<SoilFindings> soil_findings(const SiteDescription& description, const Site& site);
+
+std::uint64_t placed_plants_of(const TerrainFindings& findings);
+
+/// With settings and values enough to make the same again.
+struct TerrainDocument {
+  const SiteDescription& description;
+  const Site& site;
+  const TerrainFindings& findings;
+  const TerrainOptions& options;
 };
 
 SpeciesFindings species_findings(const HeightField& heights, const SiteEntry<SitePlant>& species,
@@ -57,7 +80,6 @@ SpeciesFindings species_findings(const HeightField& heights, const SiteEntry<Sit
 
 std::string terrain_text(const Site& site, const TerrainFindings& findings,
                          const TerrainOptions& options);
-std::string terrain_json(const Site& site, const TerrainFindings& findings,
-                         const TerrainOptions& options);
+std::string terrain_json(const TerrainDocument& document);
 
 }  // namespace phytobench::cli

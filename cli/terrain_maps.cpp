@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "core/contract/errors.hpp"
+#include "core/contract/parameter_keys.hpp"
 #include "core/contract/suggestion.hpp"
 #include "core/terrain/files/gdal_raster.hpp"
 #include "core/terrain/files/map_files.hpp"
@@ -144,10 +145,19 @@ std::vector<MapSheet> site_sheets(const Site& site, const SiteMaps& maps) {
   return sheets;
 }
 
-MapSheet chance_sheet(const Site& site, const std::string& species, TerrainMap chance) {
-  MapSheet result = new_sheet(site, "chance-" + species, "Chance to grow: " + species, "0 to 1",
+std::string source_or_yours(const std::string& source) {
+  return source.empty() ? "yours" : in_one_line(source, 200);
+}
+
+MapSheet chance_sheet(const Site& site, const SiteEntry<SitePlant>& species, TerrainMap chance,
+                      const std::string& biome_source) {
+  const std::string& name = species.entry.name;
+  MapSheet result = new_sheet(site, "chance-" + name, "Chance to grow: " + name, "0 to 1",
                               probability_palette(), std::move(chance));
   result.legend.bar.scale = {0.0, 1.0};
+  result.legend.note =
+      fmt::format("{}: {}; {}: {}", name, in_one_line(source_or_yours(species.source)),
+                  site.input.biome.name, in_one_line(source_or_yours(biome_source)));
   return result;
 }
 

@@ -21,8 +21,12 @@ struct MapSheet {
 /// Those of the site itself, in the order of its stages; lit hours, energy, depth (in cm), water.
 std::vector<MapSheet> site_sheets(const Site& site, const SiteMaps& maps);
 
-/// That of a species.
-MapSheet chance_sheet(const Site& site, const std::string& species, TerrainMap chance);
+/// That of a species. Says where its numbers are from, and those of the biome.
+MapSheet chance_sheet(const Site& site, const SiteEntry<SitePlant>& species, TerrainMap chance,
+                      const std::string& biome_source);
+
+/// Of an entry; those that come with the program all name theirs.
+std::string source_or_yours(const std::string& source);
 
 /// Hours in the light; NaN without data.
 TerrainMap lit_hours_map(const Site& site, const LitMaps& lit);

@@ -4,65 +4,48 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
-#include "cli/option_values.hpp"
 #include "cli/terrain_findings.hpp"
+#include "cli/terrain_maps.hpp"
+#include "reference/lesser2019_switches.hpp"
 
 namespace phytobench::cli {
 
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr double hectare_m2 = 1e4;
-
-/// JSON knows neither NaN nor infinity.
-ordered_json terrain_number(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
-
-ordered_json terrain_text_or_null(const std::string& text) {
-  return text.empty() ? ordered_json(nullptr) : ordered_json(text);
-}
-
-ordered_json range_json(const MapRange& range) {
-  return {{"mean", terrain_number(range.mean)},
-          {"least", terrain_number(range.least)},
-          {"most", terrain_number(range.most)},
-          {"cells", range.cells}};
-}
-
-ordered_json species_json(const SpeciesFindings& species) {
-  ordered_json areas = ordered_json::array();
-  for (std::size_t i = 0; i < suitable_from.size(); ++i)
-    areas.push_back({{"least_chance", suitable_from[i]}, {"m2", species.suitable_m2[i]}});
-  ordered_json limits = ordered_json::object();
-  for (std::size_t i = 0; i < factor_names.size(); ++i)
-    limits[factor_names[i]] = species.limited_m2[i];
-  return {{"name", species.name},    {"source", terrain_text_or_null(species.source)},
-          {"suitable", areas},       {"with_data_m2", species.with_data_m2},
-          {"limited_by_m2", limits}, {"chance", range_json(species.chance)},
-          {"plants", species.plants}};
-}
-
-ordered_json terrain_ground_json(const Site& site, const TerrainFindings& findings) {
-  const HeightField& heights = site.input.heights;
-  return {{"from", site.heights},
-          {"columns", heights.columns()},
-          {"rows", heights.rows()},
-          {"cell_m", {heights.cell_width(), heights.cell_depth()}},
-          {"cells_with_data", findings.height.cells},
-          {"soilless_share", site.soilless_share}};
-}
 
 std::string name_of_site(const TerrainOptions& options) {
   return options.preset.empty() ? options.site : "preset " + options.preset;
 }
 
-/// " (assumed)".
-std::string in_brackets(const std::string& source) {
-  return source.empty() ? "" : " (" + source + ")";
+/// "1 hour", "13 hours".
+std::string counted(double number, std::string_view what) {
+  return fmt::format("{:.4g} {}{}", number, what, number == 1.0 ? "" : "s");
+}
+
+/// "Dirt ([Lesser2019] listing 9.4)".
+std::string with_source_in_brackets(const std::string& name, const std::string& source) {
+  return fmt::format("{} ({})", name, source_or_yours(source));
+}
+
+std::string soil_names(const TerrainFindings& f) {
+  std::vector<std::string> soils;
+  for (const SoilFindings& soil : f.soils)
+    soils.push_back(with_source_in_brackets(soil.name, soil.source));
+  return fmt::format("soil{} {}\n", soils.size() == 1 ? "" : "s", fmt::join(soils, ", "));
+}
+
+std::string model_line(const Site& site, const TerrainFindings& f) {
+  std::string text = fmt::format(
+      "biome {}, {} of sun at {}, shadows by {}, {}\n",
+      with_source_in_brackets(site.input.biome.name, f.biome_source), counted(f.hours, "hour"),
+      counted(static_cast<double>(f.sun_positions), "position"), f.engine,
+      f.as_printed.empty() ? "corrected" : "as printed: " + f.as_printed);
+  if (f.as_printed == shown(lesser_switches("all")))
+    text += "that is all that the program's listings have; " + left_out_of_all() +
+            ", are left out unless they are named\n";
+  return text;
 }
 
 std::string terrain_heading(const Site& site, const TerrainFindings& f,
@@ -78,10 +61,7 @@ std::string terrain_heading(const Site& site, const TerrainFindings& f,
         100.0 * (1.0 - static_cast<double>(f.height.cells) / static_cast<double>(heights.size())));
   if (site.soilless_share > 0.0)
     text += fmt::format("no soil in {:.3g} % of the rest\n", 100.0 * site.soilless_share);
-  text += fmt::format("biome {}{}, {:.4g} hours of sun at {} positions, shadows by {}, {}\n\n",
-                      site.input.biome.name, in_brackets(f.biome_source), f.hours, f.sun_positions,
-                      f.engine, f.as_printed.empty() ? "corrected" : "as printed: " + f.as_printed);
-  return text;
+  return text + model_line(site, f) + soil_names(f) + "\n";
 }
 
 std::string range_table(const TerrainFindings& f) {
@@ -96,6 +76,15 @@ std::string range_table(const TerrainFindings& f) {
   for (const auto& [name, range] : rows)
     text += fmt::format("{:<40}{:>10.4g}{:>10.4g}{:>10.4g}\n", name, range->mean, range->least,
                         range->most);
+  return text + "\n";
+}
+
+std::string chance_table(const TerrainFindings& f) {
+  std::string text =
+      fmt::format("{:<40}{:>10}{:>10}{:>10}\n", "chance to grow", "mean", "least", "most");
+  for (const SpeciesFindings& one : f.species)
+    text += fmt::format("{:<40}{:>10.5g}{:>10.5g}{:>10.5g}\n", one.name, one.chance.mean,
+                        one.chance.least, one.chance.most);
   return text + "\n";
 }
 
@@ -125,49 +114,41 @@ std::string species_table(const TerrainFindings& f) {
 std::string species_sources(const TerrainFindings& f) {
   std::string text;
   for (const SpeciesFindings& one : f.species)
-    if (!one.source.empty()) text += fmt::format("{}: {}\n", one.name, one.source);
-  return text.empty() ? text : "\n" + text;
+    text += fmt::format("{}: {}\n", one.name, source_or_yours(one.source));
+  return "\n" + text;
+}
+
+/// Why there are fewer than were asked for, unless there are as many. Of darts for each hectare
+/// those that come too close to another plant are always left out.
+std::string shortfall(const TerrainFindings& f, const TerrainOptions& options) {
+  const std::uint64_t placed = placed_plants_of(f);
+  if (static_cast<double>(placed) >= f.wanted_plants) return "";
+  if (options.plants.ends_with("/ha"))
+    return fmt::format(" ({} of {:.15g} darts found room)", placed, f.wanted_plants);
+  return fmt::format(" ({} of {:.15g}; no room for more)", placed, f.wanted_plants);
+}
+
+std::string placed_line(const TerrainFindings& f, const TerrainOptions& options) {
+  const bool can_grow = std::any_of(f.species.begin(), f.species.end(),
+                                    [](const auto& one) { return one.chance.most > 0.0; });
+  if (placed_plants_of(f) == 0)
+    return fmt::format("\nno plants: {}; there is no placed.csv and no stand.toml\n",
+                       can_grow ? "--plants " + options.plants + " is less than one on this map"
+                                : "there is no chance to grow anywhere");
+  std::vector<std::string> counts;
+  for (const SpeciesFindings& one : f.species)
+    counts.push_back(fmt::format("{} {}", one.plants, one.name));
+  return fmt::format("\nplaced, seed {}: {}{}\n", options.seed, fmt::join(counts, ", "),
+                     shortfall(f, options));
 }
 
 }  // namespace
 
-std::string terrain_json(const Site& site, const TerrainFindings& f,
-                         const TerrainOptions& options) {
-  ordered_json json{{"schema", "phytobench/terrain-1"},
-                    {"site", terrain_text_or_null(options.site)},
-                    {"preset", terrain_text_or_null(options.preset)},
-                    {"ground", terrain_ground_json(site, f)},
-                    {"biome", site.input.biome.name},
-                    {"biome_source", terrain_text_or_null(f.biome_source)},
-                    {"hours", f.hours},
-                    {"sun_positions", f.sun_positions},
-                    {"engine", f.engine},
-                    {"as_printed", terrain_text_or_null(f.as_printed)},
-                    {"height_m", range_json(f.height)},
-                    {"slope_degrees", range_json(f.slope)},
-                    {"lit_hours", range_json(f.lit_hours)},
-                    {"raw_energy", range_json(f.raw_energy)},
-                    {"energy", range_json(f.energy)},
-                    {"soil_depth_cm", range_json(f.soil_depth)},
-                    {"water", range_json(f.water)},
-                    {"species", ordered_json::array()}};
-  for (const SpeciesFindings& one : f.species) json["species"].push_back(species_json(one));
-  json["seed"] = options.plants.empty() ? ordered_json(nullptr) : ordered_json(options.seed);
-  json["files"] = f.files;
-  json["older_files"] = f.older_files;
-  return json_text(json) + "\n";
-}
-
 std::string terrain_text(const Site& site, const TerrainFindings& f,
                          const TerrainOptions& options) {
-  std::string text =
-      terrain_heading(site, f, options) + range_table(f) + species_table(f) + species_sources(f);
-  if (!options.plants.empty()) {
-    std::vector<std::string> counts;
-    for (const SpeciesFindings& one : f.species)
-      counts.push_back(fmt::format("{} {}", one.plants, one.name));
-    text += fmt::format("\nplaced, seed {}: {}\n", options.seed, fmt::join(counts, ", "));
-  }
+  std::string text = terrain_heading(site, f, options) + range_table(f) + chance_table(f) +
+                     species_table(f) + species_sources(f);
+  if (!options.plants.empty()) text += placed_line(f, options);
   if (!f.files.empty())
     text += fmt::format("\nwrote to {}: {}\n", options.out, fmt::join(f.files, ", "));
   return text;

@@ -62,8 +62,11 @@ PlacedPlants placed_plants(const Site& site, const std::vector<TerrainMap>& chan
   }
   const HeightField& heights = site.input.heights;
   const std::vector<SampledPlant> plants = sampled_plants(heights, sampled, sampling);
-  PlacedPlants placed{.counts = std::vector<std::uint64_t>(chances.size()), .files = {}};
+  PlacedPlants placed{.counts = std::vector<std::uint64_t>(chances.size()),
+                      .wanted = sampled_number(heights, sampled, sampling),
+                      .files = {}};
   for (const SampledPlant& plant : plants) ++placed.counts[plant.species];
+  if (plants.empty()) return placed;
   placed.files.push_back({plants_table_name, sampled_plants_csv(heights, plants, columns)});
   placed.files.push_back({"stand.toml", placed_stand_file(site)});
   return placed;

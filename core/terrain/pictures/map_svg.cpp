@@ -155,7 +155,11 @@ std::string map_svg(const Image& image, const MapLegend& legend) {
   if (legend.bar.palette != nullptr) body += colour_bar(legend.bar, legend.unit, left, top);
   body += entry_lines(legend, left, top);
   body += scale_bar(legend, box);
-  const double height = std::max(box.bottom() + footer_height, top + margin);
+  double height = std::max(box.bottom() + footer_height, top + margin);
+  if (!legend.note.empty()) {
+    body += svg_text(box.left, height, "start", legend.note, " font-size=\"10\"");
+    height += line_height;
+  }
   const std::string title = escaped_for_svg(legend.title);
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.1f} {1:.1f}\" "

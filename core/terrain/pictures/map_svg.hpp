@@ -33,6 +33,7 @@ struct MapLegend {
   /// What it means where the image is transparent: "no data". Such cells are hatched, in colours
   /// that no palette has, since white is one end of most. Empty: there are none.
   std::string without;
+  std::string note;  ///< in small letters below all, such as a source; may be empty
 };
 
 /// Of these hatches: ground and stripes.

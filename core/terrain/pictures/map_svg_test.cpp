@@ -51,6 +51,17 @@ TEST(MapSvg, ListsKinds) {
   EXPECT_THAT(svg, testing::Not(HasSubstr("1.75")));
 }
 
+TEST(MapSvg, HasRoomForANote) {
+  MapLegend legend = legend_of_water();
+  const std::string plain = map_svg(Image(2, 2), legend);
+  legend.note = "Moss: assumed";
+  const std::string noted = map_svg(Image(2, 2), legend);
+  EXPECT_THAT(plain, HasSubstr("viewBox=\"0 0 838.0 398.0\""));
+  EXPECT_THAT(noted, HasSubstr("viewBox=\"0 0 838.0 416.0\""));
+  EXPECT_THAT(noted,
+              HasSubstr("y=\"398.0\" text-anchor=\"start\" font-size=\"10\">Moss: assumed<"));
+}
+
 TEST(MapSvg, HatchesWhatIsNotThereAndSaysWhatItMeans) {
   MapLegend legend = legend_of_water();
   EXPECT_THAT(map_svg(Image(2, 2), legend), testing::Not(HasSubstr("url(#without)")));
