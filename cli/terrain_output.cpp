@@ -132,7 +132,7 @@ std::string placed_line(const TerrainFindings& f, const TerrainOptions& options)
   const bool can_grow = std::any_of(f.species.begin(), f.species.end(),
                                     [](const auto& one) { return one.chance.most > 0.0; });
   if (placed_plants_of(f) == 0)
-    return fmt::format("\nno plants: {}; there is no placed.csv and no stand.toml\n",
+    return fmt::format("\nno plants: {}; neither placed.csv nor stand.toml is written\n",
                        can_grow ? "--plants " + options.plants + " is less than one on this map"
                                 : "there is no chance to grow anywhere");
   std::vector<std::string> counts;
