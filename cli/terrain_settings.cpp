@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -178,7 +180,8 @@ std::string toml_lines(const ordered_json& section) {
 
 ordered_json terrain_settings(const SiteDescription& description, const Site& site,
                               const TerrainOptions& options) {
-  ordered_json json{{"entries", ordered_json::array()}};
+  ordered_json json;
+  json["entries"] = ordered_json::array();  // all that it needs is here
   for (const std::vector<Setting>& part :
        {height_settings(description.heights), ground_settings(description),
         sun_settings(description.sun), model_settings(description.choices, options)})
