@@ -145,7 +145,7 @@ TEST(SiteMaps, RefuseWhatDoesNotFit) {
   EXPECT_THAT(complaint(site), testing::HasSubstr("soil 7, for which there is no entry"));
   site = flat_site();
   site.biome.cloud_percent = 60.0;
-  EXPECT_THAT(complaint(site), testing::HasSubstr("113.000000 percent"));
+  EXPECT_THAT(complaint(site), testing::HasSubstr("take 113 percent"));
   site = flat_site();
   site.neighbour_share = std::nan("");
   EXPECT_THAT(complaint(site), testing::HasSubstr("give 0 to 1"));
