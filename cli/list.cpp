@@ -16,7 +16,6 @@
 #include "core/overlap/overlap_registry.hpp"
 #include "core/terrain/shadow/shadow_registry.hpp"
 #include "experiments/experiment_registry.hpp"
-#include "reference/errata.hpp"
 #include "reference/graph_presets.hpp"
 #include "reference/lesser2019_switches.hpp"
 #include "reference/lsystem_presets.hpp"
@@ -25,6 +24,7 @@
 #include "reference/stand_presets.hpp"
 #include "reference/tree_presets.hpp"
 #include "reports/claim_list.hpp"
+#include "reports/errata_list.hpp"
 
 namespace phytobench::cli {
 
@@ -60,21 +60,19 @@ ordered_json claims() {
 /// Of all papers; which of them `terrain --as-printed` can leave in is said, too.
 ordered_json errata() {
   ordered_json rows = ordered_json::array();
-  for (const std::string& paper : paper_keys())
-    for (const Erratum& erratum : load_errata(paper)) {
-      std::string id = paper + "/" + erratum.id;
-      for (char& c : id) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      rows.push_back({{"id", id},
-                      {"locator", erratum.locator},
-                      {"printed", erratum.printed},
-                      {"corrected", erratum.corrected},
-                      {"consequence", erratum.consequence},
-                      {"as_printed", paper == "lesser2019" && can_be_left_in(erratum.id)},
-                      {"summary", fmt::format("{}: {}; {}: {}", erratum.locator, erratum.printed,
-                                              erratum.kind == ErratumKind::program ? "the program"
-                                                                                   : "corrected",
-                                              erratum.corrected)}});
-    }
+  for (const ListedErratum& erratum : listed_errata()) {
+    std::string id = erratum.paper + "/" + erratum.id;
+    for (char& c : id) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    rows.push_back({{"id", id},
+                    {"locator", erratum.locator},
+                    {"printed", erratum.printed},
+                    {"corrected", erratum.corrected},
+                    {"consequence", erratum.consequence},
+                    {"as_printed", erratum.paper == "lesser2019" && can_be_left_in(erratum.id)},
+                    {"summary", fmt::format("{}: {}; {}: {}", erratum.locator, erratum.printed,
+                                            erratum.is_of_program ? "the program" : "corrected",
+                                            erratum.corrected)}});
+  }
   return rows;
 }
 

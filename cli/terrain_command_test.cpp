@@ -242,10 +242,9 @@ TEST_F(TerrainCommand, SaysThatThereAreFewerPlantsThanAsked) {
 }
 
 TEST_F(TerrainCommand, WritesNoStandWithoutPlants) {
-  EXPECT_THAT(
-      output_of({"terrain", "--preset", "worked-example", "--out", "none", "--maps", "none",
-                 "--species", "Moss", "--plants", "100"}),
-      HasSubstr("\nno plants: there is no chance to grow anywhere; neither placed.csv"));
+  EXPECT_THAT(output_of({"terrain", "--preset", "worked-example", "--out", "none", "--maps", "none",
+                         "--species", "Moss", "--plants", "100"}),
+              HasSubstr("\nno plants: there is no chance to grow anywhere; neither placed.csv"));
   EXPECT_THAT(output_of({"terrain", "--preset", "worked-example", "--out", "none", "--maps", "none",
                          "--plants", "0.1/ha"}),
               HasSubstr("\nno plants: --plants 0.1/ha is less than one on this map"));

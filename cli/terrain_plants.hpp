@@ -18,7 +18,8 @@ PlantSampling plant_sampling_from(const TerrainOptions& options);
 struct PlacedPlants {
   std::vector<std::uint64_t> counts;  ///< of each species
   double wanted = 0.0;                ///< plants; or darts, if so many are for each hectare
-  /// placed.csv, and stand.toml that begins with it; none without plants, of which there is no stand.
+  /// placed.csv, and stand.toml that begins with it; none without plants, of which there is no
+  /// stand.
   std::vector<FileContent> files;
 };
 

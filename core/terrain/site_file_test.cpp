@@ -235,7 +235,8 @@ std::string with_biome(const std::string& losses) {
 
 TEST_F(SiteFile, EntriesAreChecked) {
   EXPECT_THAT(refusal(with_biome("absorption = 45\ndiffusion = 8\nclouds = 50\n")),
-              testing::AllOf(StartsWith("s.toml:5: "), HasSubstr("take 103 percent of the sun's energy; at most 100")));
+              testing::AllOf(StartsWith("s.toml:5: "),
+                             HasSubstr("take 103 percent of the sun's energy; at most 100")));
   EXPECT_THAT(refusal(with_biome("absorption = 0.45\ndiffusion = 0.08\nclouds = 0.4\n")),
               testing::AllOf(StartsWith("s.toml:5: "), HasSubstr("look like shares")));
   EXPECT_EQ(refusal(with_biome("absorption = 0\ndiffusion = 0\nclouds = 0\n")), "accepted");
