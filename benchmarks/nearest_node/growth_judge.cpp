@@ -82,8 +82,11 @@ class LiteralSample {
   }
 
   void add_nodes() {
-    for (; nodes_ < judge_.nodes().size(); ++nodes_)
-      for (Sampled& sampled : sample_) offer(sampled);
+    list_new_nodes();
+    for (Sampled& sampled : sample_)
+      for (std::size_t block = 0; block < x_.size(); block += nodes_in_block)
+        offer_block(sampled, block, std::min(block + nodes_in_block, x_.size()));
+    nodes_ += x_.size();
   }
 
   /// The first sampled live point whose answer differs; -1 if none does.
@@ -113,26 +116,60 @@ class LiteralSample {
                     count - 1);
   }
 
-  void offer(Sampled& sampled) const {
+  void list_new_nodes() {
+    const auto& nodes = judge_.nodes();
+    x_.clear();
+    y_.clear();
+    z_.clear();
+    for (std::size_t v = nodes_; v < nodes.size(); ++v) {
+      x_.push_back(nodes[v].x);
+      y_.push_back(nodes[v].y);
+      z_.push_back(nodes[v].z);
+    }
+  }
+
+  void offer_block(Sampled& sampled, std::size_t begin, std::size_t end) const {
+    if (sampled.removed || all_too_far(sampled, begin, end)) return;
+    for (std::size_t i = begin; i < end; ++i) offer(sampled, nodes_ + i);
+  }
+
+  /// Whether offer() would turn all of them away for their distance. Without a branch, so that it
+  /// becomes vector instructions: ten million points have billions of pairs per iteration.
+  bool all_too_far(const Sampled& sampled, std::size_t begin, std::size_t end) const {
+    const auto p = judge_.attraction_points()[sampled.point];
+    double limit = d_i_ * d_i_;
+    if (sampled.node >= 0) limit = std::min(limit, sampled.squared);
+    std::int64_t near = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double squared =
+          oracles::brzoska2019::equation_24(p, {.x = x_[i], .y = y_[i], .z = z_[i]});
+      near |= static_cast<std::int64_t>(!(squared > limit));
+    }
+    return near == 0;
+  }
+
+  void offer(Sampled& sampled, std::size_t node) const {
     using namespace oracles::brzoska2019;
-    if (sampled.removed) return;
     const Point p = judge_.attraction_points()[sampled.point];
-    const Point v = judge_.nodes()[nodes_];
+    const Point v = judge_.nodes()[node];
     const double squared = equation_24(p, v);
     if (squared > d_i_ * d_i_ || (sampled.node >= 0 && squared >= sampled.squared)) return;
     if (!all_around_ &&
-        !(scalar_product(judge_.directions()[nodes_], minus(p, v)) >= cosine_ * std::sqrt(squared)))
+        !(scalar_product(judge_.directions()[node], minus(p, v)) >= cosine_ * std::sqrt(squared)))
       return;
-    sampled.node = static_cast<int>(nodes_);
+    sampled.node = static_cast<int>(node);
     sampled.squared = squared;
   }
+
+  static constexpr std::size_t nodes_in_block = 64;
 
   const GridJudge& judge_;
   double cosine_;
   double d_i_;
   bool all_around_;
   std::vector<Sampled> sample_;
-  std::size_t nodes_ = 0;
+  std::size_t nodes_ = 0;          ///< offered so far
+  std::vector<double> x_, y_, z_;  ///< of the nodes that are new
 };
 
 class SampledGridJudge final : public GrowthJudge {

@@ -22,7 +22,6 @@ class PairCounter final : public NearestNodeEngine {
   void reset(std::span<const Vector3> points, const EngineSetup& setup) override {
     points_ = points;
     setup_ = setup;
-    is_live_.assign(points.size(), 1);
     sort_into_cells();
     inner_->reset(points, setup);
   }
@@ -38,7 +37,8 @@ class PairCounter final : public NearestNodeEngine {
                                    double distance) override {
     const auto removed = inner_->kill(killers, distance);
     floor_.removal += removed.size();
-    for (const PointIndex point : removed) is_live_[static_cast<std::size_t>(point)] = 0;
+    for (const PointIndex point : removed)
+      entries_[place_of_point_[static_cast<std::size_t>(point)]].is_live = false;
     return removed;
   }
 
@@ -47,6 +47,21 @@ class PairCounter final : public NearestNodeEngine {
 
  private:
   using Cell = std::array<std::int64_t, 3>;
+
+  struct Entry {
+    std::int64_t layer;  ///< cell along z
+    Vector3 position;
+    bool is_live = true;
+  };
+
+  /// All cells with the same x and y.
+  struct Column {
+    std::int64_t x, y;
+    std::size_t begin = 0;  ///< its first entry
+    friend bool operator<(const Column& a, const Column& b) {
+      return a.x != b.x ? a.x < b.x : a.y < b.y;
+    }
+  };
 
   Cell cell_of(const Vector3& v) const {
     const auto along = [this](double value) {
@@ -63,26 +78,46 @@ class PairCounter final : public NearestNodeEngine {
     edge_ = std::min(setup_.influence_distance,
                      2.0 * std::max({extent.x, extent.y, extent.z, 1e-300})) *
             (1.0 + 0x1p-20);
-    cells_.clear();
+    std::vector<std::pair<Cell, PointIndex>> sorted;
+    sorted.reserve(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i)
-      cells_.emplace_back(cell_of(points_[i]), static_cast<PointIndex>(i));
-    std::sort(cells_.begin(), cells_.end());
+      sorted.emplace_back(cell_of(points_[i]), static_cast<PointIndex>(i));
+    std::sort(sorted.begin(), sorted.end());
+    entries_.clear();
+    columns_.clear();
+    place_of_point_.resize(points_.size());
+    for (const auto& [cell, point] : sorted) {
+      if (columns_.empty() || columns_.back().x != cell[0] || columns_.back().y != cell[1])
+        columns_.push_back({.x = cell[0], .y = cell[1], .begin = entries_.size()});
+      place_of_point_[static_cast<std::size_t>(point)] = entries_.size();
+      entries_.push_back({.layer = cell[2], .position = points_[static_cast<std::size_t>(point)]});
+    }
   }
 
   std::uint64_t count_around(const Vector3& node, double squared_reach) const {
     std::uint64_t count = 0;
     const Cell own = cell_of(node);
-    for (std::int64_t x = own[0] - 1; x <= own[0] + 1; ++x)
-      for (std::int64_t y = own[1] - 1; y <= own[1] + 1; ++y) {
-        const std::pair<Cell, PointIndex> from{{x, y, own[2] - 1}, -1};
-        for (auto cell = std::lower_bound(cells_.begin(), cells_.end(), from);
-             cell != cells_.end() && cell->first[0] == x && cell->first[1] == y &&
-             cell->first[2] <= own[2] + 1;
-             ++cell) {
-          const auto i = static_cast<std::size_t>(cell->second);
-          count += is_live_[i] && squared_distance(points_[i], node) <= squared_reach;
-        }
-      }
+    for (std::int64_t x = own[0] - 1; x <= own[0] + 1; ++x) {
+      const Column first{.x = x, .y = own[1] - 1};
+      for (auto column = std::lower_bound(columns_.begin(), columns_.end(), first);
+           column != columns_.end() && column->x == x && column->y <= own[1] + 1; ++column)
+        count += count_in(*column, own[2], node, squared_reach);
+    }
+    return count;
+  }
+
+  std::uint64_t count_in(const Column& column, std::int64_t layer, const Vector3& node,
+                         double squared_reach) const {
+    const std::size_t next = static_cast<std::size_t>(&column - columns_.data()) + 1;
+    const auto end =
+        entries_.begin() + static_cast<std::ptrdiff_t>(next < columns_.size() ? columns_[next].begin
+                                                                              : entries_.size());
+    auto entry = std::lower_bound(
+        entries_.begin() + static_cast<std::ptrdiff_t>(column.begin), end, layer - 1,
+        [](const Entry& one, std::int64_t lowest) { return one.layer < lowest; });
+    std::uint64_t count = 0;
+    for (; entry != end && entry->layer <= layer + 1; ++entry)
+      count += entry->is_live && squared_distance(entry->position, node) <= squared_reach;
     return count;
   }
 
@@ -92,8 +127,9 @@ class PairCounter final : public NearestNodeEngine {
   EngineSetup setup_;
   double edge_ = 1.0;
   Vector3 corner_;
-  std::vector<std::pair<Cell, PointIndex>> cells_;
-  std::vector<std::uint8_t> is_live_;
+  std::vector<Entry> entries_;   // by column, then by layer
+  std::vector<Column> columns_;  // sorted
+  std::vector<std::size_t> place_of_point_;
 };
 
 }  // namespace
