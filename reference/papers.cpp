@@ -21,7 +21,8 @@ Paper load_paper(const std::string& key) {
           .author = table.text("author"),
           .year = table.text("year"),
           .kind = table.text("kind"),
-          .summary = table.text("summary")};
+          .summary = table.text("summary"),
+          .pictures = table.has("pictures") ? table.text("pictures") : ""};
 }
 
 }  // namespace phytobench

@@ -12,8 +12,9 @@ struct Paper {
   std::string title;
   std::string author;
   std::string year;
-  std::string kind;     ///< "bachelor thesis", "article"
-  std::string summary;  ///< one sentence in our own words
+  std::string kind;      ///< "bachelor thesis", "article"
+  std::string summary;   ///< one sentence in our own words
+  std::string pictures;  ///< what its experiments' pictures show, or nothing
 };
 
 /// Keys of papers.def, in that order.

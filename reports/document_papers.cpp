@@ -58,6 +58,7 @@ class PaperDocument {
     document_["pictures"] = figures_of(key_, sources_.figures, index_);
     document_["has_pictures"] = !document_["pictures"].empty();
     document_["gallery"] = photographs_of(key_, sources_.photographs, index_);
+    document_["gallery_note"] = judged_.paper.pictures;
     document_["has_gallery"] = !document_["gallery"].empty();
     document_["topics"] = topics();
     document_["errata"] = errata_document(judged_);

@@ -58,7 +58,7 @@ std::string to_png(const Image& image);
 
 /// The image without its opacity as the bytes of a JPEG file, for photograph-like pictures, which
 /// PNG packs badly. `quality` is 1 to 100.
-std::string to_jpeg(const Image& image, int quality = 76);
+std::string to_jpeg(const Image& image, int quality = 50);
 
 /// Reads a PNG from bytes. `name` stands for the file in messages. Throws InputError.
 Image parse_png(std::string_view bytes, const std::string& name);

@@ -8,7 +8,7 @@ namespace phytobench::experiments::brzoska2019 {
 
 namespace {
 
-constexpr int width = 360, height = 450;  // of pictures that a report can hold
+constexpr int width = 320, height = 400;  // of pictures that a report can hold
 constexpr int full_scale = 4, full_samples = 2, full_quality = 90;
 
 /// The picture for reports, and, as it takes seven times the work, the full-size one in full runs.

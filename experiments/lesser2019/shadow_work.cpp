@@ -71,7 +71,7 @@ constinit const ExperimentDescriptor shadow_work{
     .id = "lesser2019/shadow-work",
     .question = "How does the work of shadow engines grow with the size of the map?",
     .source = "[Lesser2019] sec. 9.2.2",
-    .seconds = {0.2, 2.0, 60.0},
+    .seconds = {0.2, 2.0, 20.0},
     .run = run,
 };
 

@@ -38,7 +38,7 @@ constinit const ExperimentDescriptor wrong_shadows{
     .id = "lesser2019/wrong-shadows",
     .question = "How many pixel-hours do the printed march and the sweeps light wrongly?",
     .source = "[Lesser2019] listing 9.12",
-    .seconds = {0.3, 5.0, 60.0},
+    .seconds = {0.3, 2.0, 120.0},
     .run = run,
 };
 

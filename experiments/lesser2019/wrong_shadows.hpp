@@ -20,32 +20,47 @@ namespace phytobench::experiments::lesser2019 {
 inline constexpr std::string_view engines_that_approximate[] = {"printed_march", "line_sweep",
                                                                 "sheared_sweep"};
 
-/// Grey by height; red where the engine is dark in more hours than it should be, blue where in
-/// fewer, the more the stronger. At most `most` pixels wide.
+/// What is wrong among the pixel-hours that one pixel of a picture stands for, as shares of them.
+struct WrongShares {
+  double dark = 0.0;  ///< dark and should be lit, by the hours of a vertex
+  double lit = 0.0;
+};
+
+inline WrongShares wrong_shares(const HeightField& field, const std::vector<std::uint16_t>& right,
+                                const std::vector<std::uint16_t>& found, std::size_t hours, int x,
+                                int y, int every) {
+  WrongShares wrong;
+  int vertices = 0;
+  for (int row = y * every; row < std::min((y + 1) * every, field.rows()); ++row)
+    for (int column = x * every; column < std::min((x + 1) * every, field.columns()); ++column) {
+      const std::size_t i = field.index(column, row);
+      const int more = int{found[i]} - int{right[i]};
+      (more > 0 ? wrong.lit : wrong.dark) += std::abs(more);
+      ++vertices;
+    }
+  const double all = static_cast<double>(vertices) * static_cast<double>(hours);
+  return {wrong.dark / all, wrong.lit / all};
+}
+
+/// Grey by height; red where vertices are dark in more hours than they should be, blue where in
+/// fewer: full colour for one hour in thirteen and more, fainter with the root of the share. At
+/// most `most` pixels wide.
 inline Image picture_of_differences(const HeightField& field, const LitMaps& exact,
-                                    const LitMaps& other, int most = 512) {
+                                    const LitMaps& other, int most) {
   const int every = (std::max(field.columns(), field.rows()) + most - 1) / most;
   const HeightRange range = height_range(field);
   const std::vector<std::uint16_t> right = lit_positions(exact), found = lit_positions(other);
   Image image((field.columns() + every - 1) / every, (field.rows() + every - 1) / every);
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x) {
-      // The vertex with the greatest difference of those that one pixel stands for.
-      int difference = 0;
-      for (int row = y * every; row < std::min((y + 1) * every, field.rows()); ++row)
-        for (int column = x * every; column < std::min((x + 1) * every, field.columns());
-             ++column) {
-          const std::size_t i = field.index(column, row);
-          const int here = int{found[i]} - int{right[i]};
-          if (std::abs(here) > std::abs(difference)) difference = here;
-        }
-      const double grey = 0.35 + 0.5 * (field.at(x * every, y * every) - range.lowest) /
+      const double grey = 0.55 + 0.4 * (field.at(x * every, y * every) - range.lowest) /
                                      (range.highest - range.lowest);
-      const double strong = std::min(1.0, 0.4 + 0.2 * std::abs(difference));
-      Colour colour{grey, grey, grey};
-      if (difference < 0) colour = {strong, 0.1, 0.1};
-      if (difference > 0) colour = {0.1, 0.25, strong};
-      image.at(x, y) = to_pixel(colour);
+      const WrongShares wrong = wrong_shares(field, right, found, exact.positions(), x, y, every);
+      const double red = std::min(1.0, std::sqrt(13.0 * wrong.dark));
+      const double blue = std::min(1.0, std::sqrt(13.0 * wrong.lit));
+      const double rest = 1.0 - std::max(red, blue);
+      image.at(x, y) = to_pixel({rest * grey + 0.85 * red, rest * grey + 0.1 * std::max(red, blue),
+                                 rest * grey + 0.85 * blue});
     }
   return image;
 }
@@ -78,7 +93,10 @@ inline void record_differences(ExperimentContext& context, const std::string& na
                      static_cast<double>(differing_bits(exact, found, hour)) /
                          static_cast<double>(field.size()));
     context.artifact(fmt::format("{}-{}.png", name, engine),
-                     to_png(picture_of_differences(field, exact, found)));
+                     to_png(picture_of_differences(field, exact, found, 512)));
+    if (engine == "printed_march" && field.columns() >= 200)  // the one that a report shows
+      context.artifact(fmt::format("printed-march-{}.jpg", name),
+                       to_jpeg(picture_of_differences(field, exact, found, 200)));
   }
 }
 
