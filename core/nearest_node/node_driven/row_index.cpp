@@ -25,9 +25,9 @@ constexpr double row_edge_per_reach = 0.52;
 constexpr double cell_per_reach = 0.22;
 constexpr double most_chunks_per_point = 0.72;
 // Among fewer points, memory lies in tables rather than in points, and no search takes long.
-constexpr std::size_t few_points = 8192;
+constexpr std::size_t few_points = 1500;
 constexpr std::int32_t places_for_few = 2;
-constexpr double most_chunks_per_point_for_few = 0.36;
+constexpr double most_chunks_per_point_for_few = 0.5;
 constexpr std::size_t points_worth_slabs = 200'000;
 constexpr std::int32_t chunks_per_slab = 16;
 
