@@ -9,7 +9,7 @@ extern const EngineDescriptor two_voxel_grids;
 constinit const EngineDescriptor two_voxel_grids{
     .name = "two_voxel_grids",
     .summary = "voxel_grid with a second grid, of the new nodes, for the removal of points.",
-    .source = "this library, after [Brzoska2019] sec. 5.2.2",
+    .source = "phytobench, after [Brzoska2019] sec. 5.2.2",
     .create = make_point_driven_engine<VoxelIndex, KillBy::grid>,
 };
 
