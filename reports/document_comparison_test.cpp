@@ -119,10 +119,10 @@ TEST(ComparisonDocument, HoldsNoTimeAndNoMachineWhenWhatVariesIsLeftOut) {
 
 TEST(ComparisonTemplate, SaysItInHtml) {
   const std::string html = TwoRuns().rendered("html/comparison.mustache", EscapeFor::html);
-  for (const char* part : {"id=\"comparison\"", "2 runs side by side", "A claim &lt;on&gt; things",
-                           "<th scope=\"row\">B", "<code>x_y</code>", "<td>Clang on X",
-                           "<td colspan=\"2\">quick", "2.1 [2.0, 2.2]", "1 differs; the other",
-                           "<summary><code>p/e</code>: 1 of 6 differ"})
+  for (const char* part :
+       {"id=\"comparison\"", "2 runs side by side", "A claim &lt;on&gt; things",
+        "<th scope=\"row\">B", "<code>x_y</code>", "<td>Clang on X", "<td colspan=\"2\">quick",
+        "2.1 [2.0, 2.2]", "1 differs; the other", "<summary><code>p/e</code>: 1 of 6 differ"})
     EXPECT_THAT(html, HasSubstr(part));
   EXPECT_THAT(html, Not(HasSubstr("{{")));
 }
